@@ -100,8 +100,8 @@ struct Candidate<'w> {
 }
 
 /// A reading while it is compared with others.
-struct Meaning<'w> {
-    candidate: Candidate<'w>,
+struct Meaning<'w, 'c> {
+    candidate: &'c Candidate<'w>,
     /// Its tasks, whether they are forbidden, and whether others follow.
     asked: (TaskSet, bool, bool),
     odds: f32,
@@ -166,32 +166,33 @@ impl<M: AgentMemory> Agent<M> {
         let repairs = self.repairs(domain, said, explained, context)?;
         let turned = parting.and_then(|parting| parting.turned(said, context.earlier.is_rest));
         let parting_of = |candidate: Candidate<'w>| if candidate.is_turned { turned } else { parting };
-        let of_repair = |(at, repair): (usize, &Repaired<'w>)| {
-            let share = repair.weight.over(whole.plus(repair.weight));
-            Candidate { words: repair.judged.words, repair: Some(at as u8), ..plain(Hypothesis::Command, share) }
-        };
         let gatherings = gatherings(said);
-        let of_gathering = |&it: &(Gathering, Name)| {
+        let mut candidates: Vec<Candidate<'w>, MEANINGS> = Vec::new();
+        let mut weigh = |candidate: Candidate<'w>| {
+            let _ = candidates.push(candidate);
+            if candidate.hypothesis == Hypothesis::Several {
+                let _ = candidates.push(Candidate { is_plain: true, ..candidate });
+            }
+        };
+        for (at, repair) in (0..).zip(&repairs) {
+            let share = repair.weight.over(whole.plus(repair.weight));
+            weigh(Candidate { words: repair.judged.words, repair: Some(at), ..plain(Hypothesis::Command, share) });
+        }
+        for &gathering in &gatherings {
             // Its share is known when its words are explained.
-            Candidate { words: said, gathering: Some(it), ..plain(Hypothesis::All, 1.0) }
-        };
-        let of_turned = |turned: &Parting<'w>| {
-            let share = turned.weight.over(whole.plus(turned.weight));
-            Candidate { is_turned: true, ..plain(Hypothesis::Several, share) }
-        };
-        let of_hypotheses = weighed.iter().filter(|&&(hypothesis, share)| asks(hypothesis) && share > 0.0);
-        let of_hypotheses = of_hypotheses.map(|&(hypothesis, share)| plain(hypothesis, share));
-        let mut meanings: Vec<Meaning<'w>, MEANINGS> = Vec::new();
-        let or_plain = |it: Candidate<'w>| {
-            let plain = (it.hypothesis == Hypothesis::Several).then_some(Candidate { is_plain: true, ..it });
-            [Some(it), plain].into_iter().flatten()
-        };
-        let of_more =
-            repairs.iter().enumerate().map(of_repair).chain(gatherings.iter().map(of_gathering)).chain(turned.iter().map(of_turned));
-        for candidate in of_more.chain(of_hypotheses).flat_map(or_plain) {
+            weigh(Candidate { words: said, gathering: Some(gathering), ..plain(Hypothesis::All, 1.0) });
+        }
+        for turned in &turned {
+            weigh(Candidate { is_turned: true, ..plain(Hypothesis::Several, turned.weight.over(whole.plus(turned.weight))) });
+        }
+        for &(hypothesis, share) in weighed.iter().filter(|&&(hypothesis, share)| asks(hypothesis) && share > 0.0) {
+            weigh(plain(hypothesis, share));
+        }
+        let mut meanings: Vec<Meaning<'w, '_>, MEANINGS> = Vec::new();
+        for candidate in &candidates {
             let repair = candidate.repair.and_then(|at| repairs.get(usize::from(at)));
-            let Candidate { hypothesis, mut share, is_turned, gathering, .. } = candidate;
-            let parting = parting_of(candidate).filter(|_| hypothesis == Hypothesis::Several);
+            let &Candidate { hypothesis, mut share, is_turned, gathering, .. } = candidate;
+            let parting = parting_of(*candidate).filter(|_| hypothesis == Hypothesis::Several);
             let is_other = |other| repair.is_some() || gathering.is_some() || other != hypothesis;
             let others = weighed.iter().filter(|&&(other, _)| is_other(other));
             let rival = others.fold((Hypothesis::Nothing, 0.0), |most, &(other, share)| if share > most.1 { (other, share) } else { most });
@@ -216,7 +217,7 @@ impl<M: AgentMemory> Agent<M> {
             let done = self.done(domain);
             let (mut judged, first) = match repair {
                 Some(repair) => (Judged { probability: share * repair.judged.probability, ..repair.judged }, None),
-                None => self.read(domain, candidate, command, explained, context, parting)?,
+                None => self.read(domain, *candidate, command, explained, context, parting)?,
             };
             if gathering.is_some() {
                 let weight = explained.here.scaled_by(GATHERED);
@@ -271,7 +272,7 @@ impl<M: AgentMemory> Agent<M> {
         }
         // Readings with the same tasks support each other, and the others compete.
         let sum = 1.0 + meanings.iter().map(|meaning| meaning.odds).sum::<f32>();
-        let mut best: Option<(&Meaning<'w>, f32, bool)> = None;
+        let mut best: Option<(&Meaning<'w, '_>, f32, bool)> = None;
         for meaning in &meanings {
             let same = meanings.iter().filter(|other| other.asked == meaning.asked).map(|other| other.odds).sum::<f32>();
             let probability = (same / sum).max(meaning.clear);
@@ -284,7 +285,7 @@ impl<M: AgentMemory> Agent<M> {
         let best = best.filter(|&(_, probability, _)| probability > WORTH_ASKING || asks(likeliest));
         let (candidate, probability, is_accepted) = best
             .map_or((plain(likeliest, most), 0.0, false), |(meaning, probability, is_accepted)| {
-                (meaning.candidate, probability, is_accepted)
+                (*meaning.candidate, probability, is_accepted)
             });
         let (judged, _) = self.read(domain, candidate, command, explained, context, parting_of(candidate))?;
         if judged.is_negated {
