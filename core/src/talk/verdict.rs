@@ -7,7 +7,7 @@ use super::explained::Explained;
 use super::heard::Heard;
 use super::hypothesis::{Hypothesis, Judged, likeliest};
 use super::readings::{GATHERED, GATHERINGS, Gathering, Name, WithoutCues, all, gatherings, has_negation, is_of_several, negated};
-use super::repair::{Repaired, WEIGHED};
+use super::repair::WEIGHED;
 use super::several::Parting;
 use super::syntax::{has_new_name, is_question};
 use super::words::Words;
@@ -182,7 +182,7 @@ impl<M: AgentMemory> Agent<M> {
             // Its share is known when its words are explained.
             weigh(Candidate { words: said, gathering: Some(gathering), ..plain(Hypothesis::All, 1.0) });
         }
-        for turned in &turned {
+        if let Some(turned) = turned {
             weigh(Candidate { is_turned: true, ..plain(Hypothesis::Several, turned.weight.over(whole.plus(turned.weight))) });
         }
         for &(hypothesis, share) in weighed.iter().filter(|&&(hypothesis, share)| asks(hypothesis) && share > 0.0) {
