@@ -16,8 +16,6 @@ const WORD: f64 = 2.0;
 /// The weights of words are whole numbers up to this, those of clues up to the other.
 const MOST_OF_WORD: f64 = 7.0;
 const MOST_OF_CLUE: f64 = 127.0;
-/// A word whose weights are no more than this together tells less than its bytes are worth.
-const LITTLE: i32 = 4;
 /// Of all weights of words, this share is told exactly; larger ones are cut.
 const UNCUT: f64 = 0.995;
 
@@ -136,8 +134,7 @@ pub fn fit(utterances: &[Vec<Example<'_>>], may_count: &dyn Fn(u32) -> bool, pri
     let largest = sizes.get((sizes.len() as f64 * UNCUT) as usize).copied().unwrap_or(1.0).max(f64::MIN_POSITIVE);
     let scale_of_words = largest / MOST_OF_WORD;
     let words = words.into_iter().map(|(hash, weights)| (hash, weights.map(|weight| rounded(weight, scale_of_words, MOST_OF_WORD))));
-    let tells = |weights: &[i8; KINDS]| weights.iter().map(|weight| i32::from(weight.unsigned_abs())).sum::<i32>();
-    let words = words.filter(|(_, weights)| tells(weights) > LITTLE).collect();
+    let words = words.filter(|(_, weights)| *weights != [0; KINDS]).collect();
     Fitted { clues, scale, words, scale_of_words, bias }
 }
 
