@@ -99,8 +99,8 @@ impl<M: AgentMemory> Agent<M> {
         self.listen_and_show(domain, state, utterance, words, is_rest, (pause, None))
     }
 
-    /// As [`listen_in_parts`](Self::listen_in_parts), and shows each reading to `observe`, if anything, before one is chosen: also those that are left out,
-    /// because nobody was heard to mean them with such words.
+    /// As [`listen_in_parts`](Self::listen_in_parts), and shows each reading to `observe` before one is chosen. It is shown also the readings
+    /// that are never chosen, because nobody was heard to mean them with such words; with `None` they are not worked out.
     ///
     /// # Errors
     /// As [`listen_in_parts`](Self::listen_in_parts).

@@ -243,7 +243,6 @@ fn teach_twenty(robot: &mut Robot, draws: &mut Draws) {
         let (home, words, meant) = command(draws, 0..1_000);
         robot.tell(&format!("home {}", home.json()));
         if robot.one(&format!("command {words}"))["verdict"] != "try" {
-            eprintln!("AGAIN {words}");
             robot.tell(&format!("command {words}"));
         }
         let mut rests = 0;

@@ -34,8 +34,9 @@ pub struct Spoken<'u> {
     utterance: &'u str,
     /// The pieces that lessons had, one bit each.
     taught: u64,
-    /// What stands before each, and the pieces that are no part of it, which [`FAR`] stands before.
+    /// What stands before each word.
     of: &'static str,
+    /// The pieces before which [`FAR`] stands instead, one bit each.
     far: u64,
     /// What all words say for each kind of reading, in units of [`SCALE_OF_WORDS`].
     says: [i16; KINDS],
