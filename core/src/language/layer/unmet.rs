@@ -1,65 +1,32 @@
 //! Kinds of task that were never meant, compared with those that were.
 //!
-//! **Ways.** For the role model, a kind that was never meant counts as one session. It also divides Pr(e|t) by Z_l^(3/4), so that how well
-//! the words fit a kind counts little against how often it was meant. That is right in the scenes of the lessons. In another scene, if only
-//! commands with ways were heard before, "move to the red room" would avoid some room that nobody named. There, two things are known
-//! better:
-//!
-//! - A way is added to a goal. A kind without a way is as probable as the kinds that add a way to its goals are on average.
-//! - How much of a task the words name is the same question for all kinds, and counts in full.
-//!
-//! Let q be the probability of a kind by the words alone, K the kinds that were meant and add a way to the goals of l, a the role model's
-//! posterior, and n(t) the probability that commands name as much of t as these words do. All tasks of a kind l without a way that was
-//! never meant are multiplied by
+//! **Ways.** For the role model, a kind that was never meant counts as one session. That is right in the scenes of the lessons. In another
+//! scene, if only commands with ways were heard before, "move to the red room" would avoid some room that nobody named. There, a kind
+//! without a way is as probable as the kinds that add a way to its goals are on average. With q the probability of a kind by the words
+//! alone, and K the kinds that were meant and add a way to the goals of l, all tasks of a kind l without a way that was never meant are
+//! multiplied by
 //!
 //! ```text
-//! n(t) max(1, mean of q(k) over K / q(l)),
+//! max(1, mean of q(k) over K / q(l)),   if there are any K
 //! ```
-//!
-//! if there are any K, and all others by the mean of f over the tasks that were meant, weighted by a, with f(l) = (sum of a(t) / sum of
-//! a(t) / n(t))^(3/4) over the tasks t of l. Other kinds that were never meant are also multiplied by n(t). Kinds that were meant keep
-//! their shares of their common probability: the layer has learned to tell those apart.
 //!
 //! **Things.** A kind may be one that no session could mean, because it needs things that were in no scene. The words for them were not
-//! learned either, so they are new. With r the share of sessions with a word that no other session has, n the number of such kinds here and
-//! k the number of all others, the probability of these kinds together, after a command with a new word, is
-//!
-//! ```text
-//! n (1 - r) / (n (1 - r) + k r),
-//! ```
-//!
-//! and after a command without one, the same with r and 1 - r exchanged. After the layer has weighed the tasks, those of these kinds that
+//! learned either, so they are new. With r the share of sessions with a word that no other session has, the probability of these kinds
+//! together is 1 - r after a command with a new word, and r after another. After the layer has weighed the tasks, those of these kinds that
 //! have a way divide their common probability as the kinds that were meant do with the same ways.
 
 use super::weighed::{Group, Weighed};
 use crate::language::bitext::BitextRef;
-use crate::language::roles::forward::named;
 use crate::language::roles::kind::Kinds;
 use crate::language::tables::TablesRef;
-use crate::probability::square_root;
 use crate::symbols::Symbol;
 use crate::task::description::{form, groups};
 use crate::task::role::{Role, RoleKind};
-use alloc::collections::{BTreeMap, BTreeSet};
+use alloc::collections::BTreeMap;
 use alloc::vec::Vec;
 
-/// A kind of task in a new scene.
-struct Kind<'d> {
-    /// One of its tasks.
-    example: &'d [Symbol],
-    group: Group,
-    /// The posterior of its tasks together.
-    whole: f32,
-    /// The same, each divided by the probability of how much of the task is named.
-    without_naming: f32,
-    /// The factor of the kind.
-    factor: f32,
-    /// Whether the kind was never meant, has no way, and some kind that was meant adds a way to its goals.
-    is_without_its_way: bool,
-}
-
-/// Corrects the role model's posterior for kinds that were never meant. `description` returns the description of the task at a position,
-/// and `possible` has the tasks of all sessions.
+/// Corrects the role model's posterior for kinds without a way that were never meant. `description` returns the description of the task at
+/// a position, and `possible` has the tasks of all sessions.
 pub(super) fn weigh_ways<'d>(
     tables: TablesRef<'_>,
     possible: BitextRef<'_>,
@@ -67,67 +34,32 @@ pub(super) fn weigh_ways<'d>(
     description: &dyn Fn(usize) -> &'d [Symbol],
     tasks: &mut [Weighed],
 ) {
-    let is_met = |task: &Weighed| task.group == Group::Met;
-    let is_mixed = tasks.iter().any(is_met) && !tasks.iter().all(is_met);
-    if !is_mixed || !tables.layout().has_ways() {
-        return;
-    }
     let was_possible = |position: usize| (0..possible.commands() as u16).any(|task| possible.command(task) == description(position));
-    if (0..tasks.len()).all(was_possible) {
+    if !tables.layout().has_ways() || (0..tasks.len()).all(was_possible) {
         return;
     }
-    let mut kinds: BTreeMap<Option<Symbol>, Kind<'d>> = BTreeMap::new();
-    for (position, task) in tasks.iter_mut().enumerate() {
-        let example = description(position);
-        let naming = named(tables.layout(), tables.cells(), sentence, example).max(f32::MIN_POSITIVE);
-        // The role model includes naming only for a kind that was meant.
-        if task.group != Group::Met {
-            task.understood *= naming;
-        }
-        let kind = kinds.entry(form(example)).or_insert(Kind {
-            example,
-            group: task.group,
-            whole: 0.0,
-            without_naming: 0.0,
-            factor: 0.0,
-            is_without_its_way: false,
-        });
-        if task.understood > 0.0 {
-            kind.whole += task.understood;
-            kind.without_naming += task.understood / naming;
-        }
-    }
+    // A task of each kind, and whether the kind was meant.
+    let kinds: BTreeMap<Option<Symbol>, (&'d [Symbol], bool)> = tasks
+        .iter()
+        .enumerate()
+        .map(|(position, task)| (form(description(position)), (description(position), task.group == Group::Met)))
+        .collect();
     let known: Vec<Symbol> = sentence.iter().copied().flatten().filter(|word| word.index() < tables.words()).collect();
     let shares = Kinds::of(tables.layout(), tables.cells().1, &known, sentence.len().saturating_sub(known.len()));
-    let share = |kind: Option<Symbol>| kind.map_or(0.0, |kind| shares.share(tables.layout(), kind));
-    let with_ways: Vec<(&'d [Symbol], f32)> = kinds
-        .iter()
-        .filter(|(_, kind)| kind.group == Group::Met && has_way(kind.example))
-        .map(|(&form, kind)| (kind.example, share(form)))
-        .collect();
-    for (&form, kind) in &mut kinds {
-        let root = square_root(if kind.without_naming > 0.0 { kind.whole / kind.without_naming } else { 0.0 });
-        kind.factor = if kind.group == Group::Met { root * square_root(root) } else { 1.0 };
-        let of_same_goals = || with_ways.iter().filter(|(other, _)| goals(other).eq(goals(kind.example))).map(|(_, share)| share);
-        let count = of_same_goals().count();
-        if kind.group != Group::Met && !has_way(kind.example) && count > 0 {
-            let of_one = of_same_goals().sum::<f32>() / count as f32;
-            // The share may be 0 in an f32.
-            kind.factor *= (of_one / share(form).max(f32::MIN_POSITIVE)).max(1.0);
-            kind.is_without_its_way = true;
+    let share = |task: &[Symbol]| form(task).map_or(0.0, |kind| shares.share(tables.layout(), kind));
+    let factor = |&(task, is_met): &(&'d [Symbol], bool)| {
+        let adds_way = |&&(other, is_met): &&(&'d [Symbol], bool)| is_met && has_way(other) && goals(other).eq(goals(task));
+        let with_way: Vec<f32> = kinds.values().filter(adds_way).map(|(other, _)| share(other)).collect();
+        if is_met || has_way(task) || with_way.is_empty() {
+            return 1.0;
         }
-    }
-    let kind = |position: usize| kinds.get(&form(description(position)));
-    let factor = |position: usize| kind(position).map_or(1.0, |kind| kind.factor);
-    let (mut before, mut after) = (0.0, 0.0);
-    for (position, task) in tasks.iter().enumerate().filter(|(_, task)| is_met(task)) {
-        before += task.understood;
-        after += task.understood * factor(position);
-    }
-    let of_met = if before > 0.0 { after / before } else { 0.0 };
+        // The share may be 0 in an f32.
+        (with_way.iter().sum::<f32>() / with_way.len() as f32 / share(task).max(f32::MIN_POSITIVE)).max(1.0)
+    };
+    let factors: BTreeMap<Option<Symbol>, f32> = kinds.iter().map(|(&form, kind)| (form, factor(kind))).collect();
     let mut whole = 0.0;
     for (position, task) in tasks.iter_mut().enumerate() {
-        task.understood *= if kind(position).is_some_and(|kind| kind.is_without_its_way) { factor(position) } else { of_met };
+        task.understood *= factors.get(&form(description(position))).copied().unwrap_or(1.0);
         whole += task.understood;
     }
     if whole > 0.0 {
@@ -136,35 +68,22 @@ pub(super) fn weigh_ways<'d>(
 }
 
 /// Divides the probability between kinds that no session could mean and all others, by whether there is a new word. `new_words` is the
-/// share of sessions with a word that no other has, and `description` returns the description of the task at a position.
-pub(super) fn weigh_impossible<'d>(
-    tables: TablesRef<'_>,
-    new_words: f32,
-    sentence: &[Option<Symbol>],
-    description: &dyn Fn(usize) -> &'d [Symbol],
-    tasks: &mut [Weighed],
-) {
+/// share of sessions with a word that no other has.
+pub(super) fn weigh_impossible(tables: TablesRef<'_>, new_words: f32, sentence: &[Option<Symbol>], tasks: &mut [Weighed]) {
     let is_impossible = |task: &Weighed| task.group == Group::Impossible;
-    let (mut kinds, mut wholes) = ([const { BTreeSet::new() }; 2], [0.0_f32; 2]);
-    for (position, task) in tasks.iter().enumerate() {
-        let of = usize::from(is_impossible(task));
-        if let (Some(kinds), Some(whole)) = (kinds.get_mut(of), wholes.get_mut(of)) {
-            kinds.insert(form(description(position)));
-            *whole += task.understood;
-        }
+    let (mut of_these, mut of_others) = (0.0, 0.0);
+    for task in &*tasks {
+        *if is_impossible(task) { &mut of_these } else { &mut of_others } += task.understood;
     }
-    let [others, these] = kinds.map(|kinds| kinds.len() as f32);
-    let has_new_word = sentence.iter().any(|word| word.is_none_or(|word| word.index() >= tables.words()));
-    let of_new = |is_so: bool| if is_so { 1.0 - new_words } else { new_words };
-    let (others, these) = (others * of_new(!has_new_word), these * of_new(has_new_word));
-    let [of_others, of_these] = wholes;
     if of_others <= 0.0 || of_these <= 0.0 {
         return;
     }
+    let has_new_word = sentence.iter().any(|word| word.is_none_or(|word| word.index() >= tables.words()));
+    let these = if has_new_word { 1.0 - new_words } else { new_words };
     for task in tasks {
-        let (share, whole) = if is_impossible(task) { (these, of_these) } else { (others, of_others) };
+        let (share, whole) = if is_impossible(task) { (these, of_these) } else { (1.0 - these, of_others) };
         // In this order a tiny probability does not become 0 or NaN.
-        task.understood = task.understood / whole * share / (these + others);
+        task.understood = task.understood / whole * share;
     }
 }
 
