@@ -91,7 +91,7 @@ impl<'s, 't> Command<'s, 't> {
                 self.each_context(position, |context| tell(of_context(role, context), share));
             }
             let is_mention = || self.mentions.iter().any(|mention| mention.position == position && mention.value == value);
-            if let Some(Marker { role, .. }) = Marker::of(role).filter(|_| self.has_ways && is_mention()) {
+            if let Some(Marker { role, .. }) = Marker::of(role).filter(|marker| self.has_ways && marker.sort & 1 == 0 && is_mention()) {
                 // A role that was never meant in a lesson is understood as roles like it are.
                 let group = if role.kind().is_of_task() { Roles::OfTask } else { Roles::Others };
                 let groups = [Roles::Kind(role.kind(), has_alternatives), group];

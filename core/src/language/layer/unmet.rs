@@ -1,14 +1,24 @@
 //! Kinds of task that were never meant, compared with those that were.
 //!
-//! **Ways.** For the role model, a kind that was never meant counts as one session. That is right in the scenes of the lessons. In another
-//! scene, if only commands with ways were heard before, "move to the red room" would avoid some room that nobody named. There, a kind
-//! without a way is as probable as the kinds that add a way to its goals are on average. With q the probability of a kind by the words
-//! alone, and K the kinds that were meant and add a way to the goals of l, all tasks of a kind l without a way that was never meant are
-//! multiplied by
+//! **Ways.** For the role model, a kind that was never meant counts as one session. It also divides Pr(e|t) by Z_l^(3/4), so that how well
+//! the words fit a kind counts little against how often it was meant. That is right in the scenes of the lessons. In another scene, if only
+//! commands with ways were heard before, "move to the red room" would avoid some room that nobody named. There, two things are known
+//! better:
+//!
+//! - A way is added to a goal. A kind without a way is as probable as the kinds that add a way to its goals are on average.
+//! - How much of a task the words name is the same question for all kinds, and counts in full.
+//!
+//! Let q be the probability of a kind by the words alone, K the kinds that were meant and add a way to the goals of l, a the role model's
+//! posterior, and n(t) the probability that commands name as much of t as these words do. All tasks of a kind l without a way that was
+//! never meant are multiplied by
 //!
 //! ```text
-//! max(1, mean of q(k) over K / q(l)),   if there are any K
+//! n(t) max(1, mean of q(k) over K / q(l)),
 //! ```
+//!
+//! if there are any K, and all others by the mean of f over the tasks that were meant, weighted by a, with f(l) = (sum of a(t) / sum of
+//! a(t) / n(t))^(3/4) over the tasks t of l. Other kinds that were never meant are also multiplied by n(t). Kinds that were meant keep
+//! their shares of their common probability: the layer has learned to tell those apart.
 //!
 //! **Things.** A kind may be one that no session could mean, because it needs things that were in no scene. The words for them were not
 //! learned either, so they are new. With r the share of sessions with a word that no other session has, the probability of these kinds
@@ -17,16 +27,33 @@
 
 use super::weighed::{Group, Weighed};
 use crate::language::bitext::BitextRef;
+use crate::language::roles::forward::named;
 use crate::language::roles::kind::Kinds;
 use crate::language::tables::TablesRef;
+use crate::probability::square_root;
 use crate::symbols::Symbol;
 use crate::task::description::{form, groups};
 use crate::task::role::{Role, RoleKind};
 use alloc::collections::BTreeMap;
 use alloc::vec::Vec;
 
-/// Corrects the role model's posterior for kinds without a way that were never meant. `description` returns the description of the task at
-/// a position, and `possible` has the tasks of all sessions.
+/// A kind of task in a new scene.
+struct Kind<'d> {
+    /// One of its tasks.
+    example: &'d [Symbol],
+    group: Group,
+    /// The posterior of its tasks together.
+    whole: f32,
+    /// The same, each divided by the probability of how much of the task is named.
+    without_naming: f32,
+    /// The factor of the kind.
+    factor: f32,
+    /// Whether the kind was never meant, has no way, and some kind that was meant adds a way to its goals.
+    is_without_its_way: bool,
+}
+
+/// Corrects the role model's posterior for kinds that were never meant. `description` returns the description of the task at a position,
+/// and `possible` has the tasks of all sessions.
 pub(super) fn weigh_ways<'d>(
     tables: TablesRef<'_>,
     possible: BitextRef<'_>,
@@ -34,32 +61,67 @@ pub(super) fn weigh_ways<'d>(
     description: &dyn Fn(usize) -> &'d [Symbol],
     tasks: &mut [Weighed],
 ) {
-    let was_possible = |position: usize| (0..possible.commands() as u16).any(|task| possible.command(task) == description(position));
-    if !tables.layout().has_ways() || (0..tasks.len()).all(was_possible) {
+    let is_met = |task: &Weighed| task.group == Group::Met;
+    let is_mixed = tasks.iter().any(is_met) && !tasks.iter().all(is_met);
+    if !is_mixed || !tables.layout().has_ways() {
         return;
     }
-    // A task of each kind, and whether the kind was meant.
-    let kinds: BTreeMap<Option<Symbol>, (&'d [Symbol], bool)> = tasks
-        .iter()
-        .enumerate()
-        .map(|(position, task)| (form(description(position)), (description(position), task.group == Group::Met)))
-        .collect();
+    let was_possible = |position: usize| (0..possible.commands() as u16).any(|task| possible.command(task) == description(position));
+    if (0..tasks.len()).all(was_possible) {
+        return;
+    }
+    let mut kinds: BTreeMap<Option<Symbol>, Kind<'d>> = BTreeMap::new();
+    for (position, task) in tasks.iter_mut().enumerate() {
+        let example = description(position);
+        let naming = named(tables.layout(), tables.cells(), sentence, example).max(f32::MIN_POSITIVE);
+        // The role model includes naming only for a kind that was meant.
+        if task.group != Group::Met {
+            task.understood *= naming;
+        }
+        let kind = kinds.entry(form(example)).or_insert(Kind {
+            example,
+            group: task.group,
+            whole: 0.0,
+            without_naming: 0.0,
+            factor: 0.0,
+            is_without_its_way: false,
+        });
+        if task.understood > 0.0 {
+            kind.whole += task.understood;
+            kind.without_naming += task.understood / naming;
+        }
+    }
     let known: Vec<Symbol> = sentence.iter().copied().flatten().filter(|word| word.index() < tables.words()).collect();
     let shares = Kinds::of(tables.layout(), tables.cells().1, &known, sentence.len().saturating_sub(known.len()));
-    let share = |task: &[Symbol]| form(task).map_or(0.0, |kind| shares.share(tables.layout(), kind));
-    let factor = |&(task, is_met): &(&'d [Symbol], bool)| {
-        let adds_way = |&&(other, is_met): &&(&'d [Symbol], bool)| is_met && has_way(other) && goals(other).eq(goals(task));
-        let with_way: Vec<f32> = kinds.values().filter(adds_way).map(|(other, _)| share(other)).collect();
-        if is_met || has_way(task) || with_way.is_empty() {
-            return 1.0;
+    let share = |kind: Option<Symbol>| kind.map_or(0.0, |kind| shares.share(tables.layout(), kind));
+    let with_ways: Vec<(&'d [Symbol], f32)> = kinds
+        .iter()
+        .filter(|(_, kind)| kind.group == Group::Met && has_way(kind.example))
+        .map(|(&form, kind)| (kind.example, share(form)))
+        .collect();
+    for (&form, kind) in &mut kinds {
+        let root = square_root(if kind.without_naming > 0.0 { kind.whole / kind.without_naming } else { 0.0 });
+        kind.factor = if kind.group == Group::Met { root * square_root(root) } else { 1.0 };
+        let of_same_goals = || with_ways.iter().filter(|(other, _)| goals(other).eq(goals(kind.example))).map(|(_, share)| share);
+        let count = of_same_goals().count();
+        if kind.group != Group::Met && !has_way(kind.example) && count > 0 {
+            let of_one = of_same_goals().sum::<f32>() / count as f32;
+            // The share may be 0 in an f32.
+            kind.factor *= (of_one / share(form).max(f32::MIN_POSITIVE)).max(1.0);
+            kind.is_without_its_way = true;
         }
-        // The share may be 0 in an f32.
-        (with_way.iter().sum::<f32>() / with_way.len() as f32 / share(task).max(f32::MIN_POSITIVE)).max(1.0)
-    };
-    let factors: BTreeMap<Option<Symbol>, f32> = kinds.iter().map(|(&form, kind)| (form, factor(kind))).collect();
+    }
+    let kind = |position: usize| kinds.get(&form(description(position)));
+    let factor = |position: usize| kind(position).map_or(1.0, |kind| kind.factor);
+    let (mut before, mut after) = (0.0, 0.0);
+    for (position, task) in tasks.iter().enumerate().filter(|(_, task)| is_met(task)) {
+        before += task.understood;
+        after += task.understood * factor(position);
+    }
+    let of_met = if before > 0.0 { after / before } else { 0.0 };
     let mut whole = 0.0;
     for (position, task) in tasks.iter_mut().enumerate() {
-        task.understood *= factors.get(&form(description(position))).copied().unwrap_or(1.0);
+        task.understood *= if kind(position).is_some_and(|kind| kind.is_without_its_way) { factor(position) } else { of_met };
         whole += task.understood;
     }
     if whole > 0.0 {

@@ -390,6 +390,29 @@ impl<'t, 'd> Reader<'t, 'd> {
         product
     }
 
+    /// The same; a kind of task that was never meant is named like the average of the others.
+    #[cfg(feature = "layer")]
+    fn naming_of_any(&self, words: impl Iterator<Item = usize>) -> f32 {
+        if self.form.is_some() || !self.layout.has_ways() {
+            return self.naming_of(words);
+        }
+        let mut product = 1.0;
+        self.naming(words, |at| {
+            let (first, forms) = (at.saturating_sub(at.checked_rem(SHARES_NAMED).unwrap_or(0)), self.layout.forms().len());
+            let (mut sum, mut count) = (0.0, 0.0);
+            for form in 0..forms {
+                let row = get(self.alignments, self.layout.naming(form));
+                let shares = get(row, first..first.saturating_add(SHARES_NAMED));
+                // A kind of task without the role has no counts for it, so all its shares are equal.
+                if shares.windows(2).any(|pair| cell(pair, 0) != cell(pair, 1)) {
+                    (sum, count) = (sum + cell(row, at), count + 1.0);
+                }
+            }
+            product *= if count > 0.0 { sum / count } else { 1.0 / SHARES_NAMED as f32 };
+        });
+        product
+    }
+
     /// Fills in the factors of p0 after these words, for background, a word of the task, and each present role.
     #[inline(always)]
     pub fn lifts(&self, before: &Before, lifts: &mut Moves) {
@@ -607,6 +630,19 @@ pub(crate) fn likelihood(
     let mut reading = Reading::START;
     let _ = reading.go_on(&reader, sentence, &mut [], usize::MAX, tell);
     reading.probability
+}
+
+/// The probability that commands name as much of each role of a task as these words do; 1 without ways.
+#[cfg(feature = "layer")]
+pub(crate) fn named(
+    layout: &Layout,
+    (translations, alignments): (&[f32], &[f32]),
+    sentence: &[Option<Symbol>],
+    description: &[Symbol],
+) -> f32 {
+    let mut reader = Reader::new(layout, translations, alignments, description);
+    reader.take_groups();
+    reader.naming_of_any(heard(layout, sentence))
 }
 
 /// Continues Pr(e|t) of a trained model by at most `most` words, as [`Reading::go_on`]. The masses are kept after the parameters.
