@@ -1,4 +1,4 @@
-//! `cargo xtask test`: all checks, one after another; those for other machines run in parallel with those of this one.
+//! `cargo xtask test`: all checks, one after another; those for other machines and for Python run in parallel with those of this one.
 
 mod parallel;
 mod step;
@@ -102,29 +102,34 @@ pub fn run(options: &Options) -> Result<()> {
     let chosen = chosen(options);
     ensure!(!chosen.is_empty(), "no step was chosen: --fast leaves out those that --only names");
     let start = Instant::now();
-    let (there, here): (Vec<_>, Vec<_>) = chosen.iter().partition(|step| step.is_parallel());
-    let has_both =
-        !there.is_empty() && !here.is_empty() && std::thread::available_parallelism().is_ok_and(|processors| processors.get() > 1);
-    let (mut parallel, here) =
-        if has_both { (Some(ParallelSteps::start(&there, options.all_boards)?), here) } else { (None, chosen.clone()) };
+    let is_alone = std::thread::available_parallelism().map_or(1, std::num::NonZero::get) == 1;
+    let mut lanes: [Vec<Step>; 3] = Default::default();
+    for &step in &chosen {
+        lanes[if is_alone { 0 } else { step.lane() }].push(step);
+    }
+    let lanes: Vec<_> = lanes.into_iter().filter(|steps| !steps.is_empty()).collect();
+    let [here, there @ ..] = lanes.as_slice() else { return Ok(()) };
+    let start_lane = |(lane, steps): (usize, &Vec<Step>)| ParallelSteps::start(lane, steps, options.all_boards);
+    let mut parallel = there.iter().enumerate().map(start_lane).collect::<Result<Vec<_>>>()?;
 
     let mut run = Run { fast: options.fast, all_boards: options.all_boards, chosen: here.clone(), tally: Tally::default() };
     let mut ends: Vec<End> = Vec::new();
     let has_failed = |ends: &[End]| ends.iter().any(|(_, _, outcome)| *outcome == Outcome::Failed);
-    for step in here {
+    for &step in here {
         ends.push(work(step, &mut run));
         if let Some(report) = &options.report {
             parallel::report(report, &ends, run.tally)?;
         }
-        if has_failed(&ends) || parallel.as_mut().is_some_and(ParallelSteps::has_failed) {
+        if has_failed(&ends) || parallel.iter_mut().any(ParallelSteps::has_failed) {
             break;
         }
     }
     if options.report.is_some() {
         return Ok(());
     }
-    if let Some(parallel) = parallel {
-        let (more, tally) = parallel.end(has_failed(&ends))?;
+    let is_over = has_failed(&ends) || parallel.iter_mut().any(ParallelSteps::has_failed);
+    for parallel in parallel {
+        let (more, tally) = parallel.end(is_over)?;
         ends.extend(more);
         run.tally.add(tally);
     }

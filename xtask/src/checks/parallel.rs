@@ -1,4 +1,4 @@
-//! Steps that run in parallel with the others, in a process of their own. Its output is shown line by line; a file reports how its steps
+//! Steps that run in parallel with the others, those of each lane in a process of their own. Its output is shown line by line; a file reports how its steps
 //! ended.
 
 use std::io::{BufRead, BufReader};
@@ -19,8 +19,8 @@ pub struct ParallelSteps {
 }
 
 impl ParallelSteps {
-    pub fn start(steps: &[Step], all_boards: bool) -> Result<Self> {
-        let report = target_dir().join("parallel-steps.json");
+    pub fn start(lane: usize, steps: &[Step], all_boards: bool) -> Result<Self> {
+        let report = target_dir().join(format!("parallel-steps-{lane}.json"));
         shell()?.remove_path(&report)?;
         let (reader, writer) = std::io::pipe()?;
         let mut command = Command::new(std::env::current_exe()?);

@@ -53,11 +53,16 @@ pub enum Step {
 }
 
 impl Step {
-    /// Whether it builds for other machines, or the library for other programs. It runs in parallel with the other steps, because most of
-    /// the time it uses only one processor, to link one program.
-    pub const fn is_parallel(self) -> bool {
-        use Step::{CBoard, CHost, Firmware, Footprint, Guide, Microbit, Module, NoPanic, Portable, SameBits, Tick};
-        matches!(self, Module | Portable | CHost | CBoard | Guide | Firmware | Tick | Microbit | SameBits | NoPanic | Footprint)
+    /// The lane in which it runs: the steps of a lane run one after another, and the lanes in parallel, because most of the time a step uses
+    /// less than one processor: it links one program, waits for a page, or fetches packages. Lane 0 is this process. Boards, what is
+    /// built for other programs, and the page's module are lane 1, Python is lane 2.
+    pub const fn lane(self) -> usize {
+        use Step::{CBoard, CHost, Firmware, Footprint, Guide, Microbit, Module, NoPanic, Portable, Python, SameBits, Tick};
+        match self {
+            Module | Portable | CHost | CBoard | Guide | Firmware | Tick | Microbit | SameBits | NoPanic | Footprint => 1,
+            Python => 2,
+            _ => 0,
+        }
     }
 
     /// Its name.

@@ -8,17 +8,18 @@
 //! ```
 //!
 //! The parts of a task (`parts`) are its kind, and each value of its things together with their role. g(w,v) is how often the role model
-//! took the word w for the value v, as a share of the times it was heard. U of a kind is a constant plus a weight for each word. U of a
-//! value is, over the words with g > 0.05, a weight of the word, plus g times a weight for each feature of the word's context (`contexts`);
-//! all values of a role share the weights of contexts. So the layer learns "avoid" from one color and applies it to another. If the words
+//! took the word w for the value v, as a share of the times it was heard; a word with g > 0.3 for some value is a mention. U of a kind is a
+//! constant plus a weight for each word. U of a value is, over the words with g > 0.05, g times a weight for each feature of the word's
+//! context (`contexts`): the two words before it, the word after it, the words since the mention before, and the numbers of mentions before
+//! and after. All values of a role share these weights. So the layer learns "avoid" from one color and applies it to another. If the words
 //! in names are values, U of a value also has a constant and a weight for each word, whatever its g: with few meanings a word and a value
 //! often occur only together, and the role model takes the word for one of several. So it has in commands of at most two words, which may
-//! name a whole task, such as "hop". Where the words in names are values, a meaning told n times teaches as much as the root of n, and with
-//! few meanings the layer is too sure where it is wrong: a fifth of each probability is the role model's (a linear pool).
+//! name a whole task, such as "hop". Where the words in names are values, the layer is too sure where it is wrong, because there are few
+//! meanings: a fifth of each probability is the role model's (a linear pool).
 //!
-//! If tasks have ways, the goals of a task and its way are parts, too, and a value's contexts have a second weight for all roles of one kind
-//! (any place to go through), and a third for all roles of the task; so has whether the value is named. In these contexts all names are
-//! alike, so what was learned of "through" holds in a home with other names, and for a kind of task that was never meant.
+//! If tasks have ways, all mentions are alike as words of a context, and a mention's context has a second weight for all roles of its kind
+//! (any place to go through), and a third for all roles of the task, or all others. So what was learned of "through" holds in a home with
+//! other names, and for a kind of task that was never meant.
 //!
 //! The formula applies to the tasks of kinds that were meant before. The tasks of all other kinds are weighed by it among themselves:
 //! nothing was learned about those kinds, so together they keep the probability that the role model gives them. There are two exceptions

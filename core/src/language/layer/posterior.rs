@@ -30,7 +30,7 @@ impl LayerRef<'_> {
         let mut alike: Vec<(usize, usize)> = (0..weights.len()).map(|task| (same(task), task)).collect();
         alike.sort_unstable();
         let groups = || alike.chunk_by(|a, b| a.0 == b.0).filter_map(|group| Some((group.first()?.0, group)));
-        let mut parts = Parts::of(groups().map(|(first, _)| description(first)), self.taught, tables.layout().has_ways());
+        let mut parts = Parts::of(groups().map(|(first, _)| description(first)), self.taught);
         let command = Command::new(tables, self.learned.said, sentence);
         for (part, number) in parts.each() {
             command.each_weight(part, |cell, times| *number += times * self.weight(cell));
@@ -46,7 +46,7 @@ impl LayerRef<'_> {
         let firsts: Vec<usize> = groups().map(|(first, _)| first).collect();
         let of_position = |position| firsts.get(position).map_or(&[][..], |&first| description(first));
         unmet::weigh_ways(tables, self.possible, sentence, &of_position, &mut tasks);
-        unmet::weigh_impossible(tables, self.learned.new_words, sentence, &of_position, &mut tasks);
+        unmet::weigh_impossible(tables, self.learned.new_words, sentence, &mut tasks);
         weigh(&mut tasks, 1.0 + self.weight(TRUST));
         unmet::share_ways(&of_position, &mut tasks);
         if tables.layout().has_names() {

@@ -35,7 +35,7 @@ impl Speaking {
     ) -> Self {
         let words: Vec<Option<Symbol>> = sentence.iter().copied().map(Some).collect();
         let command = Command::new(tables, said, &words);
-        let mut parts = Parts::of(descriptions, taught, tables.layout().has_ways());
+        let mut parts = Parts::of(descriptions, taught);
         let (mut cells, mut weights, mut ends) = (Vec::new(), Vec::new(), Vec::new());
         places.resize(CELLS, 0);
         for (part, _) in parts.each() {

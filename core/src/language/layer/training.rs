@@ -10,8 +10,8 @@
 //! The words may decide what the trainer's actions leave open, and some sessions show another task than was meant; so a task that the
 //! actions refute keeps a tenth of its prior. A session that shows one task alone, such as a labelled one, has nothing to decide, and its
 //! target is that task: otherwise a task that the words do not show yet would be taught as wrong, by as much as the sessions before left
-//! it improbable, and the order of the sessions would decide. After each pass one step pulls every weight towards 0, and a towards 1. The steps get shorter
-//! with each pass, unless the words in names are values.
+//! it improbable, and the order of the sessions would decide. After each pass one step pulls every weight towards 0, and a towards 1. The steps get
+//! shorter with each pass.
 //!
 //! The network learns apart, session by session too: to share out what the tasks that were meant in the scene have together. The weights
 //! learn as if there were none.
@@ -22,7 +22,7 @@ use super::speaking::{Found, Speaking};
 use super::tables::Room;
 use super::weighed::{Group, Weighed, weigh};
 use super::weights::{PULLS, TRUST, Weights};
-use crate::language::bitext::{BitextRef, Pair};
+use crate::language::bitext::BitextRef;
 use crate::language::tables::TablesRef;
 use alloc::vec::Vec;
 
@@ -61,7 +61,7 @@ impl Room<'_> {
                 (self.learn_session(tables, bitext, session, pass), Part::Pass(pass, session.saturating_add(1)))
             }
             Part::Pass(pass, _) => {
-                let cells = self.pull(tables, pass);
+                let cells = self.pull(pass);
                 let pass = pass.saturating_add(1);
                 self.learned.done = pass >= PASSES;
                 if self.learned.done {
@@ -85,7 +85,7 @@ impl Room<'_> {
         let of_session = first..first.saturating_add(count);
         let (understood, shown) = (self.understood.get(of_session.clone()), self.shares.get(of_session));
         let (understood, shown) = (understood.unwrap_or(&[]), shown.unwrap_or(&[]));
-        let mut weights = Weights::of(self.weights, rate(tables, pass));
+        let mut weights = Weights::of(self.weights, rate(pass));
         let descriptions = || pairs.iter().map(|pair| possible.command(pair.command));
         let (found, places) = (self.found.take(session), &mut self.found.places);
         let mut speaking =
@@ -108,13 +108,9 @@ impl Room<'_> {
         let of_scene: Vec<(usize, f32)> = parts.themselves().zip(&wanted).filter_map(|(itself, &wanted)| Some((itself?, wanted))).collect();
 
         parts.each().for_each(|(_, number)| *number = 0.0);
-        // If the words in names are values, a meaning counts as the root of the number of times it was told, as in the role model.
-        let sum = |weight: &dyn Fn(&Pair) -> f32| bitext.pairs_of(session).iter().map(weight).sum::<f32>();
-        let (counts, whole) = (sum(&|pair| tables.layout().weight(bitext, pair)), sum(&|pair| pair.weight));
-        let counts = if whole > 0.0 { counts / whole } else { 1.0 };
         let mut of_trust = 0.0;
         for (position, (task, &wanted)) in tasks.iter().zip(&wanted).enumerate() {
-            let slope = counts * (if is_met(task) { of_met } else { of_others } * task.within - wanted);
+            let slope = if is_met(task) { of_met } else { of_others } * task.within - wanted;
             parts.add(position, slope);
             of_trust += slope * task.logarithm;
         }
@@ -128,8 +124,8 @@ impl Room<'_> {
     }
 
     /// One step that pulls all weights.
-    fn pull(&mut self, tables: TablesRef<'_>, pass: u8) -> usize {
-        let mut weights = Weights::of(self.weights, rate(tables, pass));
+    fn pull(&mut self, pass: u8) -> usize {
+        let mut weights = Weights::of(self.weights, rate(pass));
         for (range, pull) in PULLS {
             for cell in range {
                 let value = weights.value(cell);
@@ -154,12 +150,10 @@ fn target(shown: &[f32], priors: impl Iterator<Item = f32>, trusted: impl Iterat
     wanted
 }
 
-/// The step size of a pass. It shrinks, so that the last sessions count no more than the first. If the words in names are values, it stays
-/// the same: smaller steps did not improve understanding there.
-fn rate(tables: TablesRef<'_>, pass: u8) -> f32 {
+/// The step size of a pass. It shrinks, so that the last sessions count no more than the first.
+fn rate(pass: u8) -> f32 {
     const FIRST: f32 = 0.15;
-    const TOLD: f32 = 0.1;
-    if tables.layout().has_names() { TOLD } else { FIRST * f32::from(PASSES.saturating_sub(pass)) / f32::from(PASSES) }
+    FIRST * f32::from(PASSES.saturating_sub(pass)) / f32::from(PASSES)
 }
 
 #[cfg(test)]

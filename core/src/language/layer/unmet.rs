@@ -21,14 +21,8 @@
 //! their shares of their common probability: the layer has learned to tell those apart.
 //!
 //! **Things.** A kind may be one that no session could mean, because it needs things that were in no scene. The words for them were not
-//! learned either, so they are new. With r the share of sessions with a word that no other session has, n the number of such kinds here and
-//! k the number of all others, the probability of these kinds together, after a command with a new word, is
-//!
-//! ```text
-//! n (1 - r) / (n (1 - r) + k r),
-//! ```
-//!
-//! and after a command without one, the same with r and 1 - r exchanged. After the layer has weighed the tasks, those of these kinds that
+//! learned either, so they are new. With r the share of sessions with a word that no other session has, the probability of these kinds
+//! together is 1 - r after a command with a new word, and r after another. After the layer has weighed the tasks, those of these kinds that
 //! have a way divide their common probability as the kinds that were meant do with the same ways.
 
 use super::weighed::{Group, Weighed};
@@ -40,7 +34,7 @@ use crate::probability::square_root;
 use crate::symbols::Symbol;
 use crate::task::description::{form, groups};
 use crate::task::role::{Role, RoleKind};
-use alloc::collections::{BTreeMap, BTreeSet};
+use alloc::collections::BTreeMap;
 use alloc::vec::Vec;
 
 /// A kind of task in a new scene.
@@ -136,35 +130,22 @@ pub(super) fn weigh_ways<'d>(
 }
 
 /// Divides the probability between kinds that no session could mean and all others, by whether there is a new word. `new_words` is the
-/// share of sessions with a word that no other has, and `description` returns the description of the task at a position.
-pub(super) fn weigh_impossible<'d>(
-    tables: TablesRef<'_>,
-    new_words: f32,
-    sentence: &[Option<Symbol>],
-    description: &dyn Fn(usize) -> &'d [Symbol],
-    tasks: &mut [Weighed],
-) {
+/// share of sessions with a word that no other has.
+pub(super) fn weigh_impossible(tables: TablesRef<'_>, new_words: f32, sentence: &[Option<Symbol>], tasks: &mut [Weighed]) {
     let is_impossible = |task: &Weighed| task.group == Group::Impossible;
-    let (mut kinds, mut wholes) = ([const { BTreeSet::new() }; 2], [0.0_f32; 2]);
-    for (position, task) in tasks.iter().enumerate() {
-        let of = usize::from(is_impossible(task));
-        if let (Some(kinds), Some(whole)) = (kinds.get_mut(of), wholes.get_mut(of)) {
-            kinds.insert(form(description(position)));
-            *whole += task.understood;
-        }
+    let (mut of_these, mut of_others) = (0.0, 0.0);
+    for task in &*tasks {
+        *if is_impossible(task) { &mut of_these } else { &mut of_others } += task.understood;
     }
-    let [others, these] = kinds.map(|kinds| kinds.len() as f32);
-    let has_new_word = sentence.iter().any(|word| word.is_none_or(|word| word.index() >= tables.words()));
-    let of_new = |is_so: bool| if is_so { 1.0 - new_words } else { new_words };
-    let (others, these) = (others * of_new(!has_new_word), these * of_new(has_new_word));
-    let [of_others, of_these] = wholes;
     if of_others <= 0.0 || of_these <= 0.0 {
         return;
     }
+    let has_new_word = sentence.iter().any(|word| word.is_none_or(|word| word.index() >= tables.words()));
+    let these = if has_new_word { 1.0 - new_words } else { new_words };
     for task in tasks {
-        let (share, whole) = if is_impossible(task) { (these, of_these) } else { (others, of_others) };
+        let (share, whole) = if is_impossible(task) { (these, of_these) } else { (1.0 - these, of_others) };
         // In this order a tiny probability does not become 0 or NaN.
-        task.understood = task.understood / whole * share / (these + others);
+        task.understood = task.understood / whole * share;
     }
 }
 

@@ -8,10 +8,8 @@ use core::ops::Range;
 
 /// Weights of a word together with a kind of task.
 const KINDS: Range<usize> = 0..2_048;
-/// Weights of a word together with a value in a role.
-const VALUES: Range<usize> = KINDS.end..KINDS.end + 2_048;
 /// Weights of the contexts of words that name a value in a role.
-const CONTEXTS: Range<usize> = VALUES.end..VALUES.end + 2_048;
+const CONTEXTS: Range<usize> = KINDS.end..KINDS.end + 2_048;
 /// A constant for each kind of task.
 const CONSTANTS: Range<usize> = CONTEXTS.end..CONTEXTS.end + 64;
 /// a - 1, with a the exponent of the role model's posterior.
@@ -22,23 +20,18 @@ const WORDS: Range<usize> = TRUST + 1..TRUST + 1 + 16_384;
 /// If tasks have ways: weights of contexts for all roles of one kind, and for all roles of a group of kinds.
 const KINDS_OF_ROLES: Range<usize> = WORDS.end..WORDS.end + 8_192;
 const GROUPS_OF_ROLES: Range<usize> = KINDS_OF_ROLES.end..KINDS_OF_ROLES.end + 2_048;
-/// If tasks have ways: weights of how a value is named.
-const NAMED: Range<usize> = GROUPS_OF_ROLES.end..GROUPS_OF_ROLES.end + 128;
 /// The number of weights.
-pub(super) const CELLS: usize = NAMED.end;
+pub(super) const CELLS: usize = GROUPS_OF_ROLES.end;
 
-/// How strongly each range is pulled towards 0: the stronger, the more sessions it takes to learn a weight. A value's own weights are
-/// pulled most, so that the weights that all values of a role share are learned first.
-pub(super) const PULLS: [(Range<usize>, f32); 9] = [
+/// How strongly each range is pulled towards 0: the stronger, the more sessions it takes to learn a weight.
+pub(super) const PULLS: [(Range<usize>, f32); 7] = [
     (KINDS, 10.0),
-    (VALUES, 30.0),
     (CONTEXTS, 3.0),
     (CONSTANTS, 1.0),
     (TRUST..TRUST + 1, 10.0),
     (WORDS, 10.0),
     (KINDS_OF_ROLES, 3.0),
     (GROUPS_OF_ROLES, 1.0),
-    (NAMED, 0.3),
 ];
 
 /// The roles that share a weight.
@@ -48,8 +41,6 @@ pub(super) enum Roles {
     Kind(RoleKind, bool),
     /// All of the task.
     OfTask,
-    /// Those of a way.
-    OfWay,
     /// All others.
     Others,
 }
@@ -59,21 +50,9 @@ impl Roles {
         match self {
             Self::Kind(kind, has_alternatives) => kind.index() as u16 * 2 + has_alternatives as u16,
             Self::OfTask => 100,
-            Self::OfWay => 101,
             Self::Others => 102,
         }
     }
-}
-
-/// How a command names a value.
-#[derive(Clone, Copy, Debug)]
-pub(super) enum Naming {
-    /// A word names it.
-    Named = 1,
-    /// It has a name, which is not said.
-    Unnamed = 2,
-    /// It has no name, and every word is known.
-    Nameless = 3,
 }
 
 /// What stands around a word that speaks of a value.
@@ -91,14 +70,8 @@ pub(super) enum Context {
     Earlier(u16),
     /// The number of mentions after it, at most 3.
     Later(u16),
-    /// A word after it, if no mention follows.
-    Tail(Symbol),
-    /// The mentions next before and after it: 0 for none, 1 for another value, 2 for the same value.
-    Between(u16, u16),
     /// A word between the mention before and it.
     Since(Symbol),
-    /// Whether the mention before names the same value.
-    Again(bool),
 }
 
 impl Context {
@@ -112,10 +85,7 @@ impl Context {
             Self::After(word) => (4, end(word)),
             Self::Earlier(count) => (5, count),
             Self::Later(count) => (6, count),
-            Self::Tail(word) => (7, word.0),
-            Self::Since(word) => (9, word.0),
-            Self::Again(is_same) => (10, u16::from(is_same)),
-            Self::Between(before, after) => (8, before.saturating_mul(3).saturating_add(after)),
+            Self::Since(word) => (7, word.0),
         }
     }
 }
@@ -123,11 +93,6 @@ impl Context {
 /// The cell of a word together with a kind of task.
 pub(super) fn of_kind_word(form: Symbol, word: Symbol) -> usize {
     cell(KINDS, [form.0, word.0, 0])
-}
-
-/// The cell of a word together with a value in a role.
-pub(super) fn of_value_word(role: Symbol, value: Symbol, word: Symbol) -> usize {
-    cell(VALUES, [role.0, value.0, word.0])
 }
 
 /// The cell of a value in a role, alone or with any word of the command.
@@ -146,11 +111,6 @@ pub(super) fn of_roles(roles: Roles, context: Context) -> usize {
     let range = if matches!(roles, Roles::Kind(..)) { KINDS_OF_ROLES } else { GROUPS_OF_ROLES };
     let (kind, about) = context.code();
     cell(range, [roles.code(), kind, about])
-}
-
-/// The cell of how a value is named, for all these roles.
-pub(super) fn of_naming(roles: Roles, naming: Naming) -> usize {
-    cell(NAMED, [roles.code(), naming as u16, 0])
 }
 
 /// The cell of a kind of task's constant.
