@@ -1,5 +1,5 @@
-//! Steps that run in parallel with the others, those of each lane in a process of their own. Its output is shown line by line; a file reports how its steps
-//! ended.
+//! Steps that run in parallel with the others, those of each lane in a process of their own. The process's output is shown line by line; a
+//! file reports how its steps ended.
 
 use std::io::{BufRead, BufReader};
 use std::path::{Path, PathBuf};
