@@ -4,7 +4,8 @@ use super::absent::with_ghost;
 use super::context::{Context, DONE, View};
 use super::conversation::Before;
 use super::recalled::{Recalled, readings, without};
-use super::syntax::{begins_with_way, is_verbless, names_thing_and_way, new_names, new_verb};
+use super::syntax::{begins_with_way, is_verbless, names_thing_and_way, neighbouring_names, new_names, new_verb};
+use super::verdict::Choice;
 use super::wording::{is_plain, take_pause};
 use super::words::Words;
 use crate::capacity::{LIFTED_TASKS, WORDS_PER_COMMAND};
@@ -45,6 +46,8 @@ pub(super) struct Explained {
     pub own: TaskSet,
     /// The tasks with all of their parts named.
     pub whole: TaskSet,
+    /// The tasks in which neighbouring names, such as "blue chair", are those of one thing.
+    pub of_one: TaskSet,
     /// The tasks with a word for their kind.
     pub acted: TaskSet,
     /// Whether a word is a sign of a kind of task.
@@ -66,6 +69,7 @@ impl Explained {
         fitting: TaskSet::EMPTY,
         own: TaskSet::EMPTY,
         whole: TaskSet::EMPTY,
+        of_one: TaskSet::EMPTY,
         acted: TaskSet::EMPTY,
         acts: false,
         has_new_verb: false,
@@ -83,6 +87,28 @@ impl Explained {
             }
         }
         (best.0, best.1.over(whole))
+    }
+
+    /// The task that is read, with its probability; of the tasks with all names and a named place `None` if the likeliest of all is one of
+    /// them, or none is possible. The others then count less than it does, so that the robot follows it.
+    pub fn chosen(&mut self, choice: Choice) -> Option<(usize, f32)> {
+        let best = self.best();
+        let named = self.fitting;
+        if choice != Choice::AllNamed {
+            return Some(best);
+        }
+        if named.is_empty() || named.contains(best.0) {
+            return None;
+        }
+        let weights = || self.weights.iter().copied().enumerate();
+        let likelier = |one: (usize, Scaled), other: (usize, Scaled)| if other.1.exceeds(one.1) { other } else { one };
+        let (task, weight) = weights().filter(|&(task, _)| named.contains(task)).reduce(likelier)?;
+        let (whole, best) = (total(weights().map(|(_, weight)| weight)), weights().fold((0, Scaled::ZERO), likelier).1);
+        let less = weight.over(best) * FOREIGN;
+        for (_, weight) in self.weights.iter_mut().enumerate().filter(|&(task, _)| !named.contains(task)) {
+            *weight = weight.scaled_by(less);
+        }
+        (!weight.is_zero()).then(|| (task, weight.over(whole)))
     }
 
     /// The task that explains the words best, among some; `None` if none explains them.
@@ -212,6 +238,7 @@ impl<M: AgentMemory> Agent<M> {
         let mut language = self.language.with(language, workspace);
         let tasks = session.tasks.get(..self.task_count).unwrap_or(&[]);
         let (named, acts, has_new_verb) = name(language.read(), words, &said, view, context, recalled.as_ref());
+        let neighbours = neighbouring_names(words);
         *explained = Explained { acts, has_new_verb, done: view.done, ..Explained::NEW };
         let mut forms: Vec<Symbol, { TaskSet::MOST }> = Vec::new();
         let mut ghosts: Vec<Scaled, { TaskSet::MOST }> = Vec::new();
@@ -238,6 +265,7 @@ impl<M: AgentMemory> Agent<M> {
             insert(&mut explained.fitting, is_own && named.places(layout, &description));
             insert(&mut explained.acted, named.acts_for(layout, &description));
             insert(&mut explained.whole, named.is_whole(layout, &description));
+            insert(&mut explained.of_one, named.is_of_one(&neighbours, &description));
             let share = if recalled.is_some() || context.told.is_some() { share_among(tasks, position, &is_meant) } else { 1.0 };
             let prior = share * task.prior;
             // "The bag where it is" is not about the robot's place.

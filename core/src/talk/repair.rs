@@ -7,6 +7,7 @@
 use super::context::{Context, View};
 use super::explained::Explained;
 use super::hypothesis::Judged;
+use super::verdict::Choice;
 use super::words::Words;
 use crate::memory::AgentMemory;
 use crate::oomdp::Domain;
@@ -134,7 +135,7 @@ impl<M: AgentMemory> Agent<M> {
         self.explain_all(domain, stands, View::PLAIN, context, explained)?;
         let taken_back = words.without(stands);
         let weight = taken_back.iter().fold(explained.here.scaled_by(REPAIR), |weight, word| weight.scaled_by(word.without_task));
-        let judged = self.judge_command(Judged::likely(super::Hypothesis::Command, stands, 1.0, 1.0), explained);
+        let judged = self.judge_command(Judged::likely(super::Hypothesis::Command, stands, 1.0, 1.0), Choice::Likeliest, explained);
         Ok(Repaired { judged, between, shape, weight })
     }
 }

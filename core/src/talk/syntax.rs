@@ -2,12 +2,18 @@
 
 use super::heard::Heard;
 use super::words::Words;
+use crate::symbols::Symbol;
 use crate::voice::classes::Class;
+use heapless::Vec;
 
 /// A sentence with more new words is no paraphrase of a known command.
 const MOST_NEW: usize = 2;
 /// The number of words of a subject and its verb.
 const SUBJECT_AND_VERB: usize = 2;
+/// The most pairs of neighbouring names that are looked at.
+const NEIGHBOURS: usize = 6;
+/// So many signs may stand between the names of one thing: "绿色的包".
+const SIGNS_OF_NAME: u8 = 2;
 
 /// The number of new words that may name things: those after a known word, "the purple bag".
 pub(super) fn new_names(words: Words<'_>) -> usize {
@@ -40,6 +46,27 @@ pub(super) fn new_verb(words: Words<'_>) -> Option<Option<&Heard>> {
     // "Off with you into the red room".
     let says = known.only(|word| word.is_of_lessons() || !word.is_any(&[Class::Polite, Class::You]));
     Some(says.get(0).filter(|word| word.is_toward).or_else(|| known.get(0)))
+}
+
+/// The names that were said beside each other: "blue chair". In a script without spaces, signs may stand between them.
+pub(super) fn neighbouring_names(words: Words<'_>) -> Vec<[Symbol; 2], NEIGHBOURS> {
+    let (mut neighbours, mut last) = (Vec::new(), None::<&Heard>);
+    // A way or an act word ends a name, and so does all that a reading leaves out.
+    for word in words.iter().filter(|word| word.is_name || !word.is_sign || word.is_toward || word.acts()) {
+        if !word.is_name || word.is_toward {
+            last = None;
+            continue;
+        }
+        let gap = |last: &Heard| word.piece.checked_sub(last.piece);
+        let most = if word.is_sign { SIGNS_OF_NAME + 1 } else { 1 };
+        let is_beside = |last: &&Heard| last.phrase == word.phrase && gap(last).is_some_and(|gap| gap <= most);
+        let pair = last.filter(is_beside).and_then(|last| last.said.symbol.zip(word.said.symbol));
+        if let Some((first, second)) = pair {
+            let _ = neighbours.push([first, second]);
+        }
+        last = Some(word);
+    }
+    neighbours
 }
 
 /// Whether a new subject and a new verb come before the direction: "Grandma sleeps in the red room".
@@ -143,5 +170,26 @@ mod tests {
     #[test]
     fn questions_and_what_is_past_are_told_from_commands() {
         for_each(&SENTENCES, &|sentence, words, (rule, holds)| assert_eq!(rule(words), *holds, "{sentence}"));
+    }
+
+    #[test]
+    fn neighbouring_names_were_said_beside_each_other() {
+        let rows = [
+            ("en", "take the purple bag to the blue room", 1),
+            ("en", "purple bag blue room", 2),
+            ("en", "the bag, purple room", 0),
+            ("en", "take the chair and the purple bag", 1),
+            ("zh", "紫色的包", 1),
+        ];
+        for_each(&rows, &|sentence, words, pairs| assert_eq!(neighbouring_names(words).len(), *pairs, "{sentence}"));
+    }
+
+    #[test]
+    fn names_that_words_between_them_were_left_out_of_are_no_neighbours() {
+        for_each(&[("en", "take the chair out of the blue room", ())], &|sentence, words, ()| {
+            let names = words.only(|word| word.is_name && !word.is_toward);
+            assert_eq!(names.len(), 2, "{sentence}");
+            assert!(neighbouring_names(names).is_empty(), "{sentence}");
+        });
     }
 }

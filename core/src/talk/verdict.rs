@@ -1,6 +1,6 @@
 //! The decision on an utterance: the likeliest hypothesis, its tasks, and any objections to them.
 
-use super::acceptance::{ACTS_FROM, BETWEEN, Clues, DONE_FROM, KINDS, Sorts, TURNING, asks, clear_from, odds};
+use super::acceptance::{ACTS_FROM, BETWEEN, Clues, DONE_FROM, Sorts, TURNING, asks, clear_from, odds};
 use super::context::{Context, View};
 use super::conversation::Before;
 use super::explained::Explained;
@@ -19,33 +19,43 @@ use crate::task::TaskSet;
 use crate::voice::classes::Class;
 use heapless::Vec;
 
-/// The most readings of an utterance that are compared.
-const MEANINGS: usize = KINDS + 2 + WEIGHED + GATHERINGS;
+/// The most readings of an utterance that are compared: repairs, gatherings, three for each order of several commands, two of a command and of
+/// a prohibition, and one of all things.
+const MEANINGS: usize = WEIGHED + GATHERINGS + 2 * 3 + 2 * 2 + 1;
 
 /// From this probability on, an uncertain reading says more than the likeliest hypothesis that asks for nothing.
 const WORTH_ASKING: f32 = 0.4;
 
 /// What speaks against the tasks of a reading, one bit each: clues for the [acceptance](super::acceptance).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct Doubts(u8);
+pub(super) struct Doubts(u16);
 
 impl Doubts {
     /// No doubts.
     pub const NONE: Self = Self(0);
     /// The names of all doubts.
-    const NAMES: [&'static str; 7] =
-        ["a thing outside the task", "a new name", "other cues", "no act", "not possible", "not fitting", "no tasks"];
+    const NAMES: [&'static str; 9] = [
+        "a thing outside the task",
+        "a new name",
+        "other cues",
+        "no act",
+        "not possible",
+        "not fitting",
+        "no tasks",
+        "a likelier task",
+        "a name of two things",
+    ];
     /// How many there are.
     pub const COUNT: usize = Self::NAMES.len();
 
     /// These doubts, in order.
     fn of(doubts: &[(Doubt, bool)]) -> Self {
-        Self(doubts.iter().fold(0, |all, &(doubt, holds)| all | u8::from(holds) << doubt as u8))
+        Self(doubts.iter().fold(0, |all, &(doubt, holds)| all | u16::from(holds) << doubt as u16))
     }
 
     /// Whether the doubt at a position holds.
     pub const fn has(self, position: usize) -> bool {
-        self.0 >> (position & 7) & 1 == 1
+        self.0 >> (position & 15) & 1 == 1
     }
 
     /// The name of the doubt at a position.
@@ -64,6 +74,21 @@ enum Doubt {
     Impossible,
     Unfitting,
     NoTasks,
+    /// Another task is likelier, although it lacks a name.
+    Outweighed,
+    /// Neighbouring names are not those of one thing.
+    TwoThings,
+}
+
+/// Which of the readings that words have under a hypothesis is meant.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Choice {
+    /// The likeliest.
+    Likeliest,
+    /// Of the first of several commands the plain command, although another reading of it is likelier: "but first take ...".
+    Plain,
+    /// The likeliest task about all that is named, although another one is likelier: "don't let the basket go into the red room".
+    AllNamed,
 }
 
 /// A reading of an utterance, as a robot weighs it.
@@ -91,8 +116,7 @@ struct Candidate<'w> {
     share: f32,
     /// Whether the second of several commands is to be done first.
     is_turned: bool,
-    /// Whether the first of several commands is a plain one, although another reading of it is likelier: "but first take ...".
-    is_plain: bool,
+    choice: Choice,
     /// Of a command about all things that no known cue tells, what tells it, with the name that does.
     gathering: Option<(Gathering, Name)>,
     /// Of a repair, which one.
@@ -155,7 +179,7 @@ impl<M: AgentMemory> Agent<M> {
         let words_of = |hypothesis| if hypothesis == Hypothesis::Several { said } else { words };
         let plain = |hypothesis, share| {
             let words = words_of(hypothesis);
-            Candidate { hypothesis, words, share, is_turned: false, is_plain: false, gathering: None, repair: None }
+            Candidate { hypothesis, words, share, is_turned: false, choice: Choice::Likeliest, gathering: None, repair: None }
         };
         // What is asked for again was understood before; and where a new word may mean "not", nothing is weighed.
         if matches!(likeliest, Hypothesis::Talk(Class::Again) | Hypothesis::Reversed) {
@@ -169,9 +193,14 @@ impl<M: AgentMemory> Agent<M> {
         let gatherings = gatherings(said);
         let mut candidates: Vec<Candidate<'w>, MEANINGS> = Vec::new();
         let mut weigh = |candidate: Candidate<'w>| {
-            let _ = candidates.push(candidate);
-            if candidate.hypothesis == Hypothesis::Several {
-                let _ = candidates.push(Candidate { is_plain: true, ..candidate });
+            let choices: &[Choice] = match candidate.hypothesis {
+                _ if candidate.repair.is_some() || candidate.gathering.is_some() => &[Choice::Likeliest],
+                Hypothesis::Several => &[Choice::Likeliest, Choice::Plain, Choice::AllNamed],
+                Hypothesis::Command | Hypothesis::Negated => &[Choice::Likeliest, Choice::AllNamed],
+                _ => &[Choice::Likeliest],
+            };
+            for &choice in choices {
+                let _ = candidates.push(Candidate { choice, ..candidate });
             }
         };
         for (at, repair) in (0..).zip(&repairs) {
@@ -314,19 +343,22 @@ impl<M: AgentMemory> Agent<M> {
         let (Hypothesis::Several, Some(parting)) = (hypothesis, parting) else {
             self.explain_all(domain, words, View::PLAIN, context, explained)?;
             let likely = Judged::likely(hypothesis, words, probability, command);
-            return Ok((self.judge_one(domain, likely, explained, context)?, None));
+            return Ok((self.judge_one(domain, likely, candidate.choice, explained, context)?, None));
         };
         self.explain_all(domain, parting.first, View::PLAIN, context, explained)?;
         let (weighed, command, _) = self.hypotheses(domain, parting.first, explained, context, None)?;
         let (mut first, mut share) = likeliest(&weighed, parting.first, context.is_known());
-        if candidate.is_plain {
-            // Any other hypothesis is read as a command already.
-            if !matches!(first, Hypothesis::Negated | Hypothesis::All) {
-                return Ok((Judged::likely(hypothesis, words, probability, command), None));
-            }
-            (first, share) = (Hypothesis::Command, command);
+        // Any other hypothesis is read as a command already.
+        let is_command = !matches!(first, Hypothesis::Negated | Hypothesis::All);
+        match candidate.choice {
+            Choice::Plain if is_command => return Ok((Judged::likely(hypothesis, words, probability, command), None)),
+            Choice::Plain => (first, share) = (Hypothesis::Command, command),
+            _ => {}
         }
-        let part = self.judge_one(domain, Judged::likely(first, parting.first, share, command), explained, context)?;
+        let part = self.judge_one(domain, Judged::likely(first, parting.first, share, command), candidate.choice, explained, context)?;
+        if candidate.choice == Choice::AllNamed && part.tasks.is_empty() {
+            return Ok((Judged::likely(hypothesis, words, probability, command), None));
+        }
         let begin = if parting.is_turned { 0 } else { words.get(parting.begin).map_or(0, |word| usize::from(word.piece)) };
         let is_all = parting.is_turned && context.earlier.is_rest;
         let several = Judged {
@@ -338,16 +370,20 @@ impl<M: AgentMemory> Agent<M> {
         Ok((several, Some(part.hypothesis)))
     }
 
-    /// The tasks of words that are not several commands, under their likeliest hypothesis.
+    /// The tasks of words that are not several commands, under their likeliest hypothesis; none if there is nothing to choose.
     #[inline(never)]
     fn judge_one<'w, D: Domain>(
         &mut self,
         domain: &D,
         likeliest: Judged<'w>,
+        choice: Choice,
         explained: &mut Explained,
         context: Context<'_>,
     ) -> Result<Judged<'w>, AgentError> {
         let Judged { hypothesis, words, probability, .. } = likeliest;
+        if choice == Choice::AllNamed && matches!(hypothesis, Hypothesis::Talk(Class::Again) | Hypothesis::All) {
+            return Ok(likeliest);
+        }
         if hypothesis == Hypothesis::Talk(Class::Again)
             && let Some(task) = self.again(words, context.earlier.before, explained)
         {
@@ -357,14 +393,14 @@ impl<M: AgentMemory> Agent<M> {
             return Ok(Judged { task, tasks: TaskSet::of(task), ..again });
         }
         let judged = match hypothesis {
-            Hypothesis::Negated => self.judge_negated(domain, likeliest, explained, context)?,
+            Hypothesis::Negated => self.judge_negated(domain, likeliest, choice, explained, context)?,
             Hypothesis::All => match all(words) {
                 Some(rest) => Some(self.judge_all(domain, likeliest, rest, explained, context)?),
                 None => None,
             },
             _ => None,
         };
-        Ok(judged.unwrap_or_else(|| self.judge_command(likeliest, explained)))
+        Ok(judged.unwrap_or_else(|| self.judge_command(likeliest, choice, explained)))
     }
 
     /// The state that words forbid, or the one to keep if they negate twice.
@@ -372,6 +408,7 @@ impl<M: AgentMemory> Agent<M> {
         &mut self,
         domain: &D,
         likeliest: Judged<'w>,
+        choice: Choice,
         explained: &mut Explained,
         context: Context<'_>,
     ) -> Result<Option<Judged<'w>>, AgentError> {
@@ -379,8 +416,9 @@ impl<M: AgentMemory> Agent<M> {
         let Some(rest) = negated(words) else { return Ok(None) };
         self.explain_all(domain, rest.words, rest.view, context, explained)?;
         // "Both chairs out of the red room".
-        let all = if is_of_several(words) { self.all_that_fit(domain, explained) } else { (TaskSet::EMPTY, 0.0) };
-        let (task, of_task) = explained.best();
+        let is_of_several = is_of_several(words) && choice == Choice::Likeliest;
+        let all = if is_of_several { self.all_that_fit(domain, explained) } else { (TaskSet::EMPTY, 0.0) };
+        let Some((task, of_task)) = explained.chosen(choice) else { return Ok(Some(likeliest)) };
         let is_of_thing = self.place_of_thing(domain, task).is_some();
         // "Don't leave the red room" asks for a goal that holds, "don't leave the bag in the red room" does not.
         let holds = rest.is_double && !(is_of_thing && words.any(&|word| word.leaves));
@@ -391,7 +429,10 @@ impl<M: AgentMemory> Agent<M> {
             true => rest.things_need_no_act || !rest.stays && (has_act || is_whole),
             false => rest.needs_no_act || has_act || is_whole && words.has(Class::You),
         };
-        let is_possible = !holds || self.done(domain).contains(task);
+        // A task of two facts has no opposite.
+        let has_opposite =
+            self.lifted.get(usize::from(self.task(task).lifted)).is_some_and(|lifted| self.task(task).negated(lifted).is_some());
+        let is_possible = if holds { self.done(domain).contains(task) } else { has_opposite };
         let (tasks, of_tasks) = if all.0.contains(task) { all } else { (TaskSet::of(task), of_task) };
         Ok(Some(Judged {
             words: rest.words,
@@ -405,6 +446,8 @@ impl<M: AgentMemory> Agent<M> {
                 (Doubt::NoAct, !is_told),
                 (Doubt::Impossible, !is_possible),
                 (Doubt::Unfitting, !explained.fitting.contains(task)),
+                (Doubt::Outweighed, choice == Choice::AllNamed),
+                (Doubt::TwoThings, !explained.of_one.contains(task)),
             ]),
             ..likeliest
         }))
@@ -446,13 +489,15 @@ impl<M: AgentMemory> Agent<M> {
     }
 
     /// The task of a plain command, and any objections to it.
-    pub(super) fn judge_command<'w>(&self, likeliest: Judged<'w>, explained: &Explained) -> Judged<'w> {
+    pub(super) fn judge_command<'w>(&self, likeliest: Judged<'w>, choice: Choice, explained: &mut Explained) -> Judged<'w> {
         let Judged { words, command, .. } = likeliest;
-        let (task, of_command) = explained.best();
+        let Some((task, of_command)) = explained.chosen(choice) else { return likeliest };
         let doubts = Doubts::of(&[
             (Doubt::Foreign, !explained.own.contains(task)),
             // A word that names nothing known may be the name of something else.
             (Doubt::NewName, !explained.whole.contains(task) && has_new_name(words)),
+            (Doubt::Outweighed, choice == Choice::AllNamed),
+            (Doubt::TwoThings, !explained.of_one.contains(task)),
         ]);
         Judged { words: explained.naming(words), task, tasks: TaskSet::of(task), probability: command * of_command, doubts, ..likeliest }
     }

@@ -38,7 +38,7 @@ name begins with `+` are for training alone, and left out with those of the same
 A robot with the model reads each sentence in the home. The weights are fitted to tell its right readings from the others. The table is of weights
 fitted without the sentences of their author: \"read\" is the share of sentences with a meaning that have a right reading, \"first\" of those where it is
 the most probable, \"helpful\" is the share of sentences with a meaning that the robot would follow rightly, \"harmful\" the
-share of all sentences on which it would act wrongly.
+share of all sentences on which it would act wrongly. The last rows are of each kind of sentence.
 
 Examples:
   goodbot acts lab/acts/sets.tsv --weights core/src/talk/acceptance/weights.rs
@@ -48,7 +48,7 @@ pub struct ActsOptions {
     #[arg(value_name = "SETS", value_hint = ValueHint::FilePath)]
     sets: PathBuf,
     /// Ask the decision that the library has, and fit nothing: a first look at sentences that it never saw
-    #[arg(long, conflicts_with_all = ["weights", "explain", "price", "most"])]
+    #[arg(long, conflicts_with_all = ["weights", "explain", "price", "most", "folds"])]
     first_look: bool,
     /// Write the weights, as a part of the library
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
@@ -62,6 +62,9 @@ pub struct ActsOptions {
     /// How many words may have weights
     #[arg(long, value_name = "NUMBER", default_value = "6000")]
     most: usize,
+    /// Leave the authors out in so many groups, dealt out in the order of their names, instead of one at a time: faster
+    #[arg(long, value_name = "NUMBER", value_parser = clap::value_parser!(u16).range(2..))]
+    folds: Option<u16>,
     /// Print lines of JSON
     #[arg(long)]
     json: bool,
@@ -119,38 +122,50 @@ pub fn run(options: &ActsOptions) -> Result<(), Failure> {
         return Ok(out.flush()?);
     }
     if authors.len() > 1 {
-        let progress = bar(authors.len(), "leaving out one author at a time");
-        let without = |author: &&str| {
-            let fitted = fitted_to(&said, &|it| it.author.trim_start_matches(FOR_TRAINING) != *author, prices);
+        let folds = options.folds.map_or(authors.len(), |folds| authors.len().min(folds.into()));
+        let fold_of = |author: &str| authors.iter().position(|it| *it == author.trim_start_matches(FOR_TRAINING)).map(|at| at % folds);
+        let progress = bar(folds, "leaving authors out");
+        let without = |fold: usize| {
+            let fitted = fitted_to(&said, &|it| fold_of(&it.author) != Some(fold), prices);
             progress.inc(1);
             fitted
         };
-        let fitted: Vec<Fitted> = authors.par_iter().map(without).collect();
+        let fitted: Vec<Fitted> = (0..folds).into_par_iter().map(without).collect();
         progress.finish_and_clear();
+        let fitted = || fitted.iter().cycle();
         let of = |author: &str, language: &str, fitted: &Fitted, above: f64| {
             figures(said.iter().filter(|it| it.author == author && (language.is_empty() || it.language == language)), fitted, above)
         };
-        for (author, fitted) in authors.iter().zip(&fitted) {
+        for (author, fitted) in authors.iter().zip(fitted()) {
             let mut languages: Vec<&str> = said.iter().filter(|it| it.author == *author).map(|it| it.language.as_str()).collect();
             languages.sort_unstable();
             languages.dedup();
             for (language, above) in languages.iter().flat_map(|language| ABOVE.map(|above| (language, above))) {
                 if options.json || above == f64::from(ACTS_FROM) {
-                    tell(&mut out, options.json, (author, language, above), &of(author, language, fitted, above))?;
+                    tell(&mut out, options.json, [author, language, ""], above, &of(author, language, fitted, above))?;
                 }
             }
         }
+        let left_out = |kind: &str, above: f64| {
+            let is_in = |it: &&Said, author: &str| it.author == author && (kind.is_empty() || it.kind == kind);
+            let each =
+                authors.iter().zip(fitted()).map(|(author, fitted)| figures(said.iter().filter(|it| is_in(it, author)), fitted, above));
+            each.fold(Figures::default(), |all, figures| all.and(&figures))
+        };
         for above in (50..100)
             .map(|hundredth| f64::from(hundredth) / 100.0)
             .filter(|above| options.json || ABOVE.iter().any(|it| (it - above).abs() < 1e-3))
         {
-            let each = authors.iter().zip(&fitted).map(|(author, fitted)| of(author, "", fitted, above));
-            let all = each.fold(Figures::default(), |all, figures| all.and(&figures));
-            tell(&mut out, options.json, ("left out", "", above), &all)?;
+            tell(&mut out, options.json, ["left out", "", ""], above, &left_out("", above))?;
+        }
+        let kinds: BTreeSet<&str> = said.iter().filter(|it| !it.author.starts_with(FOR_TRAINING)).map(|it| it.kind.as_str()).collect();
+        for kind in kinds {
+            let above = f64::from(ACTS_FROM);
+            tell(&mut out, options.json, ["left out", "", kind], above, &left_out(kind, above))?;
         }
     }
     let fitted = fitted_to(&said, &|_| true, prices);
-    tell(&mut out, options.json, ("fitted", "", f64::from(ACTS_FROM)), &figures(said.iter(), &fitted, f64::from(ACTS_FROM)))?;
+    tell(&mut out, options.json, ["fitted", "", ""], f64::from(ACTS_FROM), &figures(said.iter(), &fitted, f64::from(ACTS_FROM)))?;
     if options.explain {
         explain(&mut out, &said, &fitted)?;
     }
@@ -299,20 +314,20 @@ fn tell_first_look(out: &mut impl Write, json: bool, of: [&str; 3], figures: &Fi
     Ok(())
 }
 
-fn tell(out: &mut impl Write, json: bool, (author, language, above): (&str, &str, f64), figures: &Figures) -> Result<(), Failure> {
+fn tell(out: &mut impl Write, json: bool, [author, language, kind]: [&str; 3], above: f64, figures: &Figures) -> Result<(), Failure> {
     let (helpful, harmful) = (share(figures.helpful, figures.meant), share(figures.harmful, figures.sentences));
     let (read, first) = (share(figures.read, figures.meant), share(figures.first, figures.meant));
     let (said, right) = (figures.said / figures.acted.max(1) as f64, share(figures.right, figures.acted));
     if json {
         let line = json!({
-            "author": author, "language": language, "above": above, "sentences": figures.sentences, "meant": figures.meant, "read": read, "first": first, "helpful": helpful,
+            "author": author, "language": language, "kind": kind, "above": above, "sentences": figures.sentences, "meant": figures.meant, "read": read, "first": first, "helpful": helpful,
             "harmful": harmful, "acted": figures.acted, "mean_probability": said, "right": right,
         });
         writeln!(out, "{line}")?;
     } else {
         writeln!(
             out,
-            "{author:10} {language:8} above {above:.2} {:6} sentences  read {:5.1} %  first {:5.1} %  helpful {:5.1} %  harmful {:4.1} %  of {:5} acted on: said {:4.2}, right {:4.2}",
+            "{author:10} {language:4} {kind:14} above {above:.2} {:6} sentences  read {:5.1} %  first {:5.1} %  helpful {:5.1} %  harmful {:4.1} %  of {:5} acted on: said {:4.2}, right {:4.2}",
             figures.sentences,
             100.0 * read,
             100.0 * first,
@@ -332,18 +347,17 @@ fn text(fitted: &Fitted) -> String {
     let Fitted { clues, words, .. } = fitted;
     let [scale, scale_of_words, bias] = [fitted.scale, fitted.scale_of_words, fitted.bias].map(|weight| weight as f32);
     let (blocks, count) = (HASHED / 256, words.len());
-    let before = |block: usize| words.range(..(block * 256) as u32).count();
-    let starts = rows((0..=blocks).map(|block| before(block).to_string()).collect());
+    let of_block = |block: usize| words.range((block * 256) as u32..((block + 1) * 256) as u32).count();
+    let counts = rows((0..blocks).map(|block| of_block(block).to_string()).collect());
     let hashes = rows(words.keys().map(|hash| (hash % 256).to_string()).collect());
     let packed = |weights: &[i8; KINDS_OF_WORDS]| weights.iter().rev().fold(0_u16, |packed, &weight| packed << 4 | (weight as u16 & 15));
     let of_words = rows(words.values().map(|weights| packed(weights).to_string()).collect());
     let clues = rows(clues.iter().map(ToString::to_string).collect());
-    let blocks = blocks + 1;
     format!(
         "//! The trained weights, as `goodbot acts` wrote them.\n\n/// The weight of every reading.\npub const BIAS: f32 = {bias};\n/// The value of a \
          weight of 1 of a clue, and of a word.\npub const SCALE: f32 = {scale};\n/// See `SCALE`.\npub const SCALE_OF_WORDS: f32 = \
-         {scale_of_words};\n/// The weight of each clue.\n#[rustfmt::skip]\npub const WEIGHTS: [i8; super::CLUES] = [\n{clues}];\n/// Where the \
-         words' hashes of each block of 256 begin.\n#[rustfmt::skip]\npub const STARTS: [u16; {blocks}] = [\n{starts}];\n/// The hashes that have weights, \
+         {scale_of_words};\n/// The weight of each clue.\n#[rustfmt::skip]\npub const WEIGHTS: [i8; super::CLUES] = [\n{clues}];\n/// How \
+         many hashes of words each block of 256 has.\n#[rustfmt::skip]\npub const COUNTS: [u8; {blocks}] = [\n{counts}];\n/// The hashes that have weights, \
          in order: their places in their blocks.\n#[rustfmt::skip]\npub const HASHES: [u8; {count}] = [\n{hashes}];\n/// Their weights: four bits for \
          each kind of reading, the first in the lowest.\n#[rustfmt::skip]\npub const OF_WORDS: [u16; {count}] = [\n{of_words}];\n"
     )

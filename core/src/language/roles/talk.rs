@@ -227,6 +227,25 @@ impl Named {
         self.words.iter().copied().zip(self.values.iter().copied()).all(|named| is_own(&named))
     }
 
+    /// Whether each two neighbouring names are those of one thing of the task: not "green chair" if its chair is red and its room green.
+    /// After a name of two words, that of another thing may follow: "blue chair red room".
+    pub fn is_of_one(&self, neighbours: &[[Symbol; 2]], description: &[Symbol]) -> bool {
+        let of_task = |kind: RoleKind| matches!(kind, RoleKind::Goal | RoleKind::Subject);
+        let own = || groups(description).filter(|group| of_task(group.marker.role.kind()) && group.marker.sort & 1 == 0);
+        let roles = |word: Symbol| {
+            let value = self.words.iter().position(|&named| named == word).and_then(|at| self.values.get(at)).copied();
+            own().filter(move |group| value.is_some_and(|value| group.values.contains(&value))).map(|group| group.marker.role)
+        };
+        let mut was_one = None;
+        neighbours.iter().all(|&[first, second]| {
+            let is_one = roles(first).any(|role| roles(second).any(|other| other == role));
+            let ends_name = was_one == Some(first);
+            was_one = Some(second).filter(|_| is_one);
+            // A name of nothing in the task is no name of another thing in it.
+            is_one || ends_name || roles(first).next().is_none() || roles(second).next().is_none()
+        })
+    }
+
     /// Whether there is a sign of the task's kind.
     pub fn acts_for(&self, layout: &Layout, description: &[Symbol]) -> bool {
         form(description).and_then(|token| layout.form(token)).is_some_and(|row| self.acts & 1 << row != 0)

@@ -141,7 +141,8 @@ impl<'u> Sorts<'u> {
         }
         // What its own words mean, lessons have told: "turn on" is no task in a home, and one where lamps are.
         let is_taught = |word: &Heard| word.is_of_lessons() || word.is_name;
-        let taught = words().filter(|&(said, mended)| is_taught(said) || is_taught(mended)).map(|(said, _)| said.piece);
+        let taught = words().filter(|&(said, mended)| is_taught(said) || is_taught(mended));
+        let taught = taught.map(|(said, mended)| (said.piece, mended.is_name && !mended.is_toward));
         let spoken = Spoken::of(utterance, taught);
         Self { places, new, names: words().filter(|&pair| is_name(pair)).count(), words: end.saturating_add(1), spoken }
     }

@@ -1,11 +1,12 @@
 //! The features of an utterance that its words tell: each word that no lesson had, its beginning, and each pair of neighbours with such a
 //! word. "Paint" and "nip over to" stand before the same names, and only who has heard many people knows which of the two a robot can do.
+//! In a pair each name is "#", because what is said beside one name is said beside any.
 //!
 //! A feature is known by a hash of its letters (Weinberger et al. 2009, *Feature hashing for large scale multitask learning*), so no text is
 //! stored: 3 bytes for each feature that has weights, whatever its language.
 
 use super::clues::KINDS_OF_WORDS as KINDS;
-use super::weights::{HASHES, OF_WORDS, SCALE_OF_WORDS, STARTS};
+use super::weights::{COUNTS, HASHES, OF_WORDS, SCALE_OF_WORDS};
 use crate::capacity::WORDS_PER_COMMAND;
 use crate::checksum::fnv;
 use crate::language::tokenizer::start_of_piece;
@@ -13,15 +14,31 @@ use crate::language::{Word, for_each_piece};
 use heapless::Vec;
 
 /// The features' hashes are below this.
-pub const HASHED: usize = STARTS_OF * 256;
+pub const HASHED: usize = BLOCKS * 256;
 /// Hashes are found by blocks of 256, so that one takes one byte.
-const STARTS_OF: usize = 1024;
-const _: () = assert!(STARTS.len() == STARTS_OF + 1 && HASHES.len() == OF_WORDS.len());
+const BLOCKS: usize = 1024;
+const _: () = assert!(COUNTS.len() == BLOCKS && HASHES.len() == OF_WORDS.len() && BLOCKS.is_multiple_of(STRIDE));
+/// Where the hashes of every so many blocks begin: counts take half the bytes of the places that they add up to.
+const STRIDE: usize = 16;
+#[expect(clippy::indexing_slicing, reason = "A fault would be found while it is compiled.")]
+const STARTS: [u16; BLOCKS / STRIDE] = {
+    let (mut starts, mut block, mut sum) = ([0; BLOCKS / STRIDE], 0, 0);
+    while block < BLOCKS {
+        if block.is_multiple_of(STRIDE) {
+            starts[block / STRIDE] = sum;
+        }
+        sum += COUNTS[block] as u16;
+        block += 1;
+    }
+    starts
+};
 
 /// The letters of a beginning.
 const LETTERS: usize = 4;
 /// What stands before the first word.
 const BORDER: &str = "^";
+/// What stands for each name.
+const NAME: &str = "#";
 /// What stands before each word between two names, and before those that may turn the order of two commands, which are other features.
 pub(in super::super) const BETWEEN: &str = "~";
 pub(in super::super) const TURNING: &str = "<";
@@ -34,6 +51,8 @@ pub struct Spoken<'u> {
     utterance: &'u str,
     /// The pieces that lessons had, one bit each.
     taught: u64,
+    /// The pieces that name something, one bit each.
+    names: u64,
     /// What stands before each word.
     of: &'static str,
     /// The pieces before which [`FAR`] stands instead, one bit each.
@@ -43,10 +62,15 @@ pub struct Spoken<'u> {
 }
 
 impl<'u> Spoken<'u> {
-    /// Of an utterance, and the numbers of its pieces that lessons had.
-    pub(super) fn of(utterance: &'u str, taught: impl Iterator<Item = u8>) -> Self {
-        let taught = taught.fold(0, |taught, piece| taught | 1_u64.checked_shl(piece.into()).unwrap_or(0));
-        Self { utterance, taught, of: "", far: 0, says: [0; KINDS] }.weighed()
+    /// Of an utterance, and the numbers of its pieces that lessons had, each with whether it names something.
+    pub(super) fn of(utterance: &'u str, taught: impl Iterator<Item = (u8, bool)>) -> Self {
+        let (mut all, mut names) = (0, 0);
+        for (piece, is_name) in taught {
+            let bit = 1_u64.checked_shl(piece.into()).unwrap_or(0);
+            all |= bit;
+            names |= if is_name { bit } else { 0 };
+        }
+        Self { utterance, taught: all, names, of: "", far: 0, says: [0; KINDS] }.weighed()
     }
 
     /// Of some pieces of the same utterance, with a sign before each of those that are near.
@@ -95,11 +119,12 @@ impl<'u> Spoken<'u> {
         // The word before, and whether lessons had it; how a command begins, lessons have told.
         let (mut before, mut was_taught) = (Word::try_from(BORDER).ok(), true);
         let _ = for_each_piece(self.utterance, |piece| {
-            let is_taught = self.taught.checked_shr(number).is_some_and(|taught| taught & 1 == 1);
-            let is_far = self.far.checked_shr(number).is_some_and(|far| far & 1 == 1);
+            let is_in = |pieces: u64| pieces.checked_shr(number).is_some_and(|pieces| pieces & 1 == 1);
+            let (is_taught, is_name, is_far) = (is_in(self.taught), is_in(self.names), is_in(self.far));
             let mut take = |texts: [&str; 2]| take(hash(if is_far { FAR } else { self.of }, texts), texts);
             number = number.saturating_add(1);
             for word in piece.split('\'').filter(|word| !word.is_empty()) {
+                let word = if is_name { NAME } else { word };
                 if !is_taught {
                     take([word, ""]);
                     if let Some((end, _)) = word.char_indices().nth(LETTERS) {
@@ -125,8 +150,13 @@ fn hash(of: &str, texts: [&str; 2]) -> u32 {
 /// The weights of a feature for each kind of reading, in units of [`SCALE_OF_WORDS`]; 0 if it has none.
 fn weights(feature: u32) -> [i16; KINDS] {
     const NONE: [i16; KINDS] = [0; KINDS];
-    let Some(&[begin, end]) = STARTS.get(feature as usize / 256..).and_then(|starts| starts.first_chunk()) else { return NONE };
-    let (begin, end) = (usize::from(begin), usize::from(end));
+    let block = feature as usize / 256;
+    let count = |block: &u8| usize::from(*block);
+    let group = block / STRIDE;
+    let start = STARTS.get(group).map_or(0, |&start| usize::from(start));
+    let before = COUNTS.get(group * STRIDE..block).unwrap_or(&[]);
+    let begin = start.saturating_add(before.iter().map(count).sum());
+    let end = begin.saturating_add(COUNTS.get(block).map_or(0, count));
     let found = HASHES.get(begin..end).and_then(|hashes| hashes.binary_search(&(feature as u8)).ok());
     let found = found.and_then(|at| OF_WORDS.get(at.saturating_add(begin)));
     found.map_or(NONE, |&packed| [0, 4, 8, 12].map(|shift| (packed << (12 - shift)) as i16 >> 12))
@@ -139,14 +169,13 @@ mod tests {
 
     fn features(utterance: &str, taught: &[u8]) -> std::vec::Vec<String> {
         let mut features = std::vec::Vec::new();
-        Spoken::of(utterance, taught.iter().copied()).for_each(&mut |_, texts| features.push(texts.join("~")));
+        Spoken::of(utterance, taught.iter().map(|&piece| (piece, piece == 4))).for_each(&mut |_, texts| features.push(texts.join("~")));
         features
     }
 
     #[test]
     fn words_their_beginnings_and_pairs_are_features_unless_lessons_had_them() {
-        let here =
-            ["nip~", "^~nip", "over~", "nip~over", "to~", "over~to", "the~", "to~the", "the~red", "please~", "plea~*", "room~please"];
+        let here = ["nip~", "^~nip", "over~", "nip~over", "to~", "over~to", "the~", "to~the", "the~#", "please~", "plea~*", "room~please"];
         assert_eq!(features("Nip over to the RED room, please", &[4, 5]), here);
         assert_eq!(features("don't", &[]), ["don~", "^~don", "t~", "don~t"]);
     }
