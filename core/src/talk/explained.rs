@@ -92,19 +92,18 @@ impl Explained {
     /// The task that is read, with its probability; of the tasks with all names and a named place `None` if the likeliest of all is one of
     /// them, or none is possible. The others then count less than it does, so that the robot follows it.
     pub fn chosen(&mut self, choice: Choice) -> Option<(usize, f32)> {
-        let best = self.best();
+        let (likeliest, probability) = self.best();
         let named = self.fitting;
         if choice != Choice::AllNamed {
-            return Some(best);
+            return Some((likeliest, probability));
         }
-        if named.is_empty() || named.contains(best.0) {
+        if named.contains(likeliest) {
             return None;
         }
-        let weights = || self.weights.iter().copied().enumerate();
-        let likelier = |one: (usize, Scaled), other: (usize, Scaled)| if other.1.exceeds(one.1) { other } else { one };
-        let (task, weight) = weights().filter(|&(task, _)| named.contains(task)).reduce(likelier)?;
-        let (whole, best) = (total(weights().map(|(_, weight)| weight)), weights().fold((0, Scaled::ZERO), likelier).1);
-        let less = weight.over(best) * FOREIGN;
+        let of_named = self.weights.iter().copied().enumerate().filter(|&(task, _)| named.contains(task));
+        let (task, weight) = of_named.reduce(|one, other| if other.1.exceeds(one.1) { other } else { one })?;
+        let whole = total(self.weights.iter().copied());
+        let less = weight.over(self.weights.get(likeliest).copied().unwrap_or(Scaled::ONE)) * FOREIGN;
         for (_, weight) in self.weights.iter_mut().enumerate().filter(|&(task, _)| !named.contains(task)) {
             *weight = weight.scaled_by(less);
         }

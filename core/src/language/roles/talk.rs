@@ -13,7 +13,7 @@ use crate::language::bitext::BitextRef;
 use crate::language::tables::TablesRef;
 use crate::probability::Scaled;
 use crate::symbols::Symbol;
-use crate::task::description::{form, groups};
+use crate::task::description::{Group, form, groups};
 use crate::task::role::RoleKind;
 use heapless::Vec;
 
@@ -214,13 +214,11 @@ impl Named {
         let cell = |value: Symbol, word: Symbol| get(rows, layout.row(Some(value))).get(word.index()).copied().unwrap_or(0.0);
         // A word of a task may occur with a value by chance.
         let is_name = |word: Symbol, value: Symbol| beside_values(tables, word) * FOREIGN < cell(value, word);
-        let of_task = |kind: RoleKind| matches!(kind, RoleKind::Goal | RoleKind::Subject);
-        let own = || groups(description).filter(|group| of_task(group.marker.role.kind()) && group.marker.sort & 1 == 0);
         // An article occurs with several values.
         let is_own = |&(word, value): &(Symbol, Symbol)| {
-            let most = own().flat_map(|group| group.values).map(|&value| cell(value, word)).fold(0.0, f32::max);
+            let most = of_goal(description).flat_map(|group| group.values).map(|&value| cell(value, word)).fold(0.0, f32::max);
             let said = self.words.iter().filter(|&&other| other == word).count();
-            let known = own().filter(|group| group.values.contains(&value)).count();
+            let known = of_goal(description).filter(|group| group.values.contains(&value)).count();
             let fits = || most * FOREIGN >= cell(value, word) && (said == 1 || said <= known);
             !is_name(word, value) || fits() || !is_of_things(bitext, word, value)
         };
@@ -230,11 +228,11 @@ impl Named {
     /// Whether each two neighbouring names are those of one thing of the task: not "green chair" if its chair is red and its room green.
     /// After a name of two words, that of another thing may follow: "blue chair red room".
     pub fn is_of_one(&self, neighbours: &[[Symbol; 2]], description: &[Symbol]) -> bool {
-        let of_task = |kind: RoleKind| matches!(kind, RoleKind::Goal | RoleKind::Subject);
-        let own = || groups(description).filter(|group| of_task(group.marker.role.kind()) && group.marker.sort & 1 == 0);
         let roles = |word: Symbol| {
             let value = self.words.iter().position(|&named| named == word).and_then(|at| self.values.get(at)).copied();
-            own().filter(move |group| value.is_some_and(|value| group.values.contains(&value))).map(|group| group.marker.role)
+            of_goal(description)
+                .filter(move |group| value.is_some_and(|value| group.values.contains(&value)))
+                .map(|group| group.marker.role)
         };
         let mut was_one = None;
         neighbours.iter().all(|&[first, second]| {
@@ -287,6 +285,12 @@ impl Named {
     pub fn acts(&self) -> bool {
         self.acts != 0
     }
+}
+
+/// The values of the thing and of the place that a task is about.
+fn of_goal(description: &[Symbol]) -> impl Iterator<Item = Group<'_>> {
+    let is_of_goal = |kind: RoleKind| matches!(kind, RoleKind::Goal | RoleKind::Subject);
+    groups(description).filter(move |group| is_of_goal(group.marker.role.kind()) && group.marker.sort & 1 == 0)
 }
 
 /// The highest probability of a word outside values: as a word of a task or of the background.

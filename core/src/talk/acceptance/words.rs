@@ -17,9 +17,9 @@ use heapless::Vec;
 pub const HASHED: usize = BLOCKS * 256;
 /// Hashes are found by blocks of 256, so that one takes one byte.
 const BLOCKS: usize = 1024;
-const _: () = assert!(COUNTS.len() == BLOCKS && HASHES.len() == OF_WORDS.len() && BLOCKS.is_multiple_of(STRIDE));
-/// Where the hashes of every so many blocks begin: counts take half the bytes of the places that they add up to.
 const STRIDE: usize = 16;
+const _: () = assert!(COUNTS.len() == BLOCKS && HASHES.len() == OF_WORDS.len() && BLOCKS.is_multiple_of(STRIDE));
+/// Where the hashes of every 16th block begin. The others are counted from there, because counts take half the bytes of such places.
 #[expect(clippy::indexing_slicing, reason = "A fault would be found while it is compiled.")]
 const STARTS: [u16; BLOCKS / STRIDE] = {
     let (mut starts, mut block, mut sum) = ([0; BLOCKS / STRIDE], 0, 0);
@@ -66,7 +66,7 @@ impl<'u> Spoken<'u> {
     pub(super) fn of(utterance: &'u str, taught: impl Iterator<Item = (u8, bool)>) -> Self {
         let (mut all, mut names) = (0, 0);
         for (piece, is_name) in taught {
-            let bit = 1_u64.checked_shl(piece.into()).unwrap_or(0);
+            let bit = bit(piece);
             all |= bit;
             names |= if is_name { bit } else { 0 };
         }
@@ -77,7 +77,7 @@ impl<'u> Spoken<'u> {
     pub(super) fn between(&self, pieces: impl Iterator<Item = (u8, bool)>, of: &'static str) -> Self {
         let (mut others, mut far) = (u64::MAX, 0);
         for (piece, is_near) in pieces {
-            let bit = 1_u64.checked_shl(piece.into()).unwrap_or(0);
+            let bit = bit(piece);
             others &= !bit;
             far |= if is_near { 0 } else { bit };
         }
@@ -139,6 +139,11 @@ impl<'u> Spoken<'u> {
             Ok(())
         });
     }
+}
+
+/// The bit of a piece; none beyond the last.
+fn bit(piece: u8) -> u64 {
+    1_u64.checked_shl(piece.into()).unwrap_or(0)
 }
 
 /// The hash of two texts with a blank between them, folded.
