@@ -206,7 +206,7 @@ impl<M: AgentMemory> Agent<M> {
         self.hear_words(utterance, closed, &mut words)?;
         let wording = Wording::of(language, closed, (domain.world().schema.attributes.len() << 1) as u8, pause);
         let has_slips = mend(language, closed, utterance, &words, &mut mended)?;
-        let sorts = &Sorts::of(utterance, &words, &mended);
+        let sorts = &Sorts::of(utterance, closed.weights, &words, &mended);
         // The first of several commands may be polite for all: "could you ... and then ...?"
         let is_asked = !earlier.is_rest && utterance.chars().fold(false, ends_with_question_mark);
         let (mut words, mut explained) = (Words::new(&words, is_asked), Explained::NEW);

@@ -240,6 +240,9 @@ pub struct ClosedWords<'t> {
     text: &'t str,
     /// The languages of the table that are not spoken, in order: one bit each.
     silent: u32,
+    /// What decides whether the robot acts on what was said.
+    #[cfg(feature = "talk")]
+    pub(crate) weights: crate::talk::Weights<'t>,
 }
 
 /// The word that begins the words of a language.
@@ -247,35 +250,48 @@ const LANGUAGE: &str = "language";
 
 impl<'t> ClosedWords<'t> {
     /// No words.
-    pub const NONE: Self = Self { text: "", silent: 0 };
+    pub const NONE: Self = Self::of_text("");
     /// The words of English: 2.0 KB.
-    pub const ENGLISH: ClosedWords<'static> = ClosedWords { text: include_str!("classes/english.txt"), silent: 0 };
+    pub const ENGLISH: ClosedWords<'static> = ClosedWords::of_text(include_str!("classes/english.txt"));
     /// The words of German: 2.4 KB.
-    pub const GERMAN: ClosedWords<'static> = ClosedWords { text: include_str!("classes/german.txt"), silent: 0 };
+    pub const GERMAN: ClosedWords<'static> = ClosedWords::of_text(include_str!("classes/german.txt"));
     /// The words of French: 1.9 KB.
-    pub const FRENCH: ClosedWords<'static> = ClosedWords { text: include_str!("classes/french.txt"), silent: 0 };
+    pub const FRENCH: ClosedWords<'static> = ClosedWords::of_text(include_str!("classes/french.txt"));
     /// The words of Spanish: 1.8 KB.
-    pub const SPANISH: ClosedWords<'static> = ClosedWords { text: include_str!("classes/spanish.txt"), silent: 0 };
+    pub const SPANISH: ClosedWords<'static> = ClosedWords::of_text(include_str!("classes/spanish.txt"));
     /// The words of Chinese: 1.9 KB.
-    pub const CHINESE: ClosedWords<'static> = ClosedWords { text: include_str!("classes/chinese.txt"), silent: 0 };
+    pub const CHINESE: ClosedWords<'static> = ClosedWords::of_text(include_str!("classes/chinese.txt"));
     /// The words of all five languages.
-    pub const ALL: ClosedWords<'static> = ClosedWords {
-        text: concat!(
-            include_str!("classes/english.txt"),
-            include_str!("classes/german.txt"),
-            include_str!("classes/french.txt"),
-            include_str!("classes/spanish.txt"),
-            include_str!("classes/chinese.txt")
-        ),
-        silent: 0,
-    };
+    pub const ALL: ClosedWords<'static> = ClosedWords::of_text(concat!(
+        include_str!("classes/english.txt"),
+        include_str!("classes/german.txt"),
+        include_str!("classes/french.txt"),
+        include_str!("classes/spanish.txt"),
+        include_str!("classes/chinese.txt")
+    ));
+
+    const fn of_text(text: &'t str) -> Self {
+        Self {
+            text,
+            silent: 0,
+            #[cfg(feature = "talk")]
+            weights: crate::talk::Weights::BUILT_IN,
+        }
+    }
+
+    /// The same words, with other [weights](crate::talk::Weights) to decide whether the robot acts.
+    #[cfg(feature = "talk")]
+    #[must_use]
+    pub const fn weighed(self, weights: crate::talk::Weights<'t>) -> Self {
+        Self { weights, ..self }
+    }
 
     /// Reads the table from a text.
     ///
     /// # Errors
     /// A [`ClosedWordsError`] for the first line that is wrong.
     pub fn new(text: &'t str) -> Result<Self, ClosedWordsError<'t>> {
-        let table = Self { text, silent: 0 };
+        let table = Self::of_text(text);
         let opposites = table.marks(&[Class::Blame, Class::No]);
         for (line, content) in lines(text).enumerate() {
             let line = line.saturating_add(1);
@@ -646,7 +662,7 @@ mod tests {
     fn other_words_may_be_in_two_classes_and_those_that_are_built_in_are_no_opposites() {
         assert!(ClosedWords::new("connective: after\npolite: after\nno: no\nnegation: no\nyes: ok\nyes: ok").is_ok());
         let all = ClosedWords::ALL.to_string();
-        assert_eq!(ClosedWords::new(&all), Ok(ClosedWords { text: &all, silent: 0 }));
+        assert_eq!(ClosedWords::new(&all), Ok(ClosedWords::of_text(&all)));
     }
 
     /// The lookups as the table says them: line by line, and word by word.

@@ -2,7 +2,7 @@
 //! after another with a rate for each weight (Duchi, Hazan and Singer 2011, *Adaptive subgradient methods for online learning*). The same
 //! data give the same weights.
 
-use goodbot::talk::{CLUES, HASHED, KINDS_OF_WORDS as KINDS};
+use goodbot::talk::{CLUES, HASHED, KINDS_OF_WORDS as KINDS, SENSES};
 use std::collections::BTreeMap;
 
 /// How often each reading is seen.
@@ -13,11 +13,10 @@ const SLOWLY: f64 = 1.0;
 
 /// The value of a word as a feature: words are believed sooner than clues.
 const WORD: f64 = 2.0;
-/// The weights of words are whole numbers up to this, those of clues up to the other.
-const MOST_OF_WORD: f64 = 7.0;
-const MOST_OF_CLUE: f64 = 127.0;
-/// Of all weights of words, this share is told exactly; larger ones are cut.
-const UNCUT: f64 = 0.995;
+/// Weights are whole numbers up to this.
+const MOST: f64 = 127.0;
+/// How often the senses of words are moved to the middle of their words.
+const MOVES: usize = 20;
 
 /// Where the weights of words begin: first those for all kinds of readings, then those of each kind.
 const WORDS: usize = CLUES;
@@ -69,10 +68,12 @@ pub struct Fitted {
     pub clues: Vec<i8>,
     /// See `clues`.
     pub scale: f64,
-    /// The weights of words for each kind of reading, and the value of a weight of 1.
-    pub words: BTreeMap<u32, [i8; KINDS]>,
-    /// See `words`.
+    /// The weights of each sense that words have, for each kind of reading, and the value of a weight of 1.
+    pub senses: Box<[[i8; KINDS]; SENSES]>,
+    /// See `senses`.
     pub scale_of_words: f64,
+    /// The sense of each word.
+    pub words: BTreeMap<u32, u8>,
     /// The weight of every reading.
     pub bias: f64,
 }
@@ -81,7 +82,7 @@ impl Fitted {
     /// The odds of a reading against nothing that is to be done.
     pub fn odds(&self, example: &Example<'_>) -> f64 {
         let of_words = example.words.iter().chain(example.between).filter_map(|(hash, _)| self.words.get(hash));
-        let words: f64 = of_words.map(|weights| f64::from(weights[example.kind - 1])).sum();
+        let words: f64 = of_words.map(|&sense| f64::from(self.senses[usize::from(sense)][example.kind - 1])).sum();
         let clues: f64 = example.each().filter(|&(at, _)| at < WORDS).map(|(at, value)| f64::from(self.clues[at]) * value).sum();
         libm::exp(self.bias + words * self.scale_of_words + clues * self.scale)
     }
@@ -123,19 +124,53 @@ pub fn fit(utterances: &[Vec<Example<'_>>], may_count: &dyn Fn(u32) -> bool, pri
     words.iter().flat_map(|&(_, hash)| of_word(hash)).for_each(|at| kept[at] = true);
     let (weights, bias) = fit_some(utterances, &kept, prices.square);
 
-    let rounded = |weight: f64, scale: f64, most: f64| (weight / scale).round().clamp(-most, most) as i8;
-    let scale = weights[..WORDS].iter().fold(0.0, |most: f64, weight| most.max(weight.abs())).max(f64::MIN_POSITIVE) / MOST_OF_CLUE;
-    let clues = weights[..WORDS].iter().map(|&weight| rounded(weight, scale, MOST_OF_CLUE)).collect();
+    let rounded = |weight: f64, scale: f64| (weight / scale).round().clamp(-MOST, MOST) as i8;
+    let scale_of = |weights: &mut dyn Iterator<Item = f64>| weights.fold(f64::MIN_POSITIVE, |most, weight| most.max(weight.abs())) / MOST;
+    let scale = scale_of(&mut weights[..WORDS].iter().copied());
+    let clues = weights[..WORDS].iter().map(|&weight| rounded(weight, scale)).collect();
     // A word's weight for all kinds is a part of that for each.
     let each = |hash: usize| std::array::from_fn(|kind| (weights[WORDS + hash] + weights[WORDS + (kind + 1) * HASHED + hash]) * WORD);
-    let words: Vec<(u32, [f64; KINDS])> = words.iter().map(|&(_, hash)| (hash as u32, each(hash))).collect();
-    let mut sizes: Vec<f64> = words.iter().flat_map(|(_, weights)| weights.iter().map(|weight| weight.abs())).collect();
-    sizes.sort_by(f64::total_cmp);
-    let largest = sizes.get((sizes.len() as f64 * UNCUT) as usize).copied().unwrap_or(1.0).max(f64::MIN_POSITIVE);
-    let scale_of_words = largest / MOST_OF_WORD;
-    let words = words.into_iter().map(|(hash, weights)| (hash, weights.map(|weight| rounded(weight, scale_of_words, MOST_OF_WORD))));
-    let words = words.filter(|(_, weights)| *weights != [0; KINDS]).collect();
-    Fitted { clues, scale, words, scale_of_words, bias }
+    let often = |hash: usize| heights[WORDS + hash].sqrt();
+    let points: Vec<([f64; KINDS], f64)> = words.iter().map(|&(_, hash)| (each(hash), often(hash))).collect();
+    let (middles, of) = senses(&points);
+    let scale_of_words = scale_of(&mut middles.iter().flatten().copied());
+    let senses = Box::new(std::array::from_fn(|sense| middles[sense].map(|weight| rounded(weight, scale_of_words))));
+    let words = words.iter().zip(of).map(|(&(_, hash), sense)| (hash as u32, sense)).collect();
+    Fitted { clues, scale, senses, scale_of_words, words, bias }
+}
+
+/// Sorts words, given by their weights and by how much each counts, into senses with nearly the same weights (Lloyd 1982, *Least squares
+/// quantization in PCM*). Returns the weights of each sense, and the sense of each word.
+fn senses(words: &[([f64; KINDS], f64)]) -> (Vec<[f64; KINDS]>, Vec<u8>) {
+    let apart = |one: &[f64; KINDS], other: &[f64; KINDS]| one.iter().zip(other).map(|(one, other)| (one - other).powi(2)).sum::<f64>();
+    // Each new sense begins at the word that the others tell worst.
+    let (mut middles, mut errors) = (vec![[0.0; KINDS]], vec![f64::INFINITY; words.len()]);
+    while middles.len() < SENSES {
+        let last = middles.last().copied().unwrap_or_default();
+        for (error, (word, counts)) in errors.iter_mut().zip(words) {
+            *error = error.min(apart(word, &last) * counts);
+        }
+        let worst = errors.iter().enumerate().max_by(|one, other| one.1.total_cmp(other.1));
+        middles.push(worst.map_or([0.0; KINDS], |(at, _)| words[at].0));
+    }
+    let mut of = vec![0_u8; words.len()];
+    for _ in 0..MOVES {
+        let nearest = |word: &[f64; KINDS]| {
+            let each = middles.iter().map(|middle| apart(word, middle)).enumerate();
+            each.min_by(|one, other| one.1.total_cmp(&other.1)).map_or(0, |(sense, _)| sense as u8)
+        };
+        of = words.iter().map(|(word, _)| nearest(word)).collect();
+        let mut sums = vec![([0.0; KINDS], 0.0); SENSES];
+        for ((word, counts), &sense) in words.iter().zip(&of) {
+            let (sum, all) = &mut sums[usize::from(sense)];
+            sum.iter_mut().zip(word).for_each(|(sum, weight)| *sum += weight * counts);
+            *all += counts;
+        }
+        for (middle, (sum, all)) in middles.iter_mut().zip(sums).filter(|(_, (_, all))| *all > 0.0) {
+            *middle = sum.map(|sum| sum / all);
+        }
+    }
+    (middles, of)
 }
 
 /// Fits these weights, and that of every reading.
@@ -187,6 +222,16 @@ mod tests {
     }
 
     #[test]
+    fn words_with_nearly_the_same_weights_have_one_sense() {
+        let word = |at: usize| [at as f64, 0.0, if at.is_multiple_of(2) { 5.0 } else { -5.0 }, 1.0];
+        let words: Vec<([f64; KINDS], f64)> = (0..1024).map(|at| (word(at), 1.0)).collect();
+        let (middles, of) = senses(&words);
+        let errors = words.iter().zip(&of).map(|((word, _), &sense)| (word[0] - middles[usize::from(sense)][0]).abs());
+        assert!(errors.fold(0.0, f64::max) < 8.0);
+        assert!(words.iter().zip(&of).all(|((word, _), &sense)| word[2] * middles[usize::from(sense)][2] > 0.0));
+    }
+
+    #[test]
     fn of_the_words_that_may_count_those_that_tell_most_get_weights_for_the_kinds_that_had_them() {
         let word = |hash: u32| (hash, String::new());
         let (go, paint) = (vec![word(7), word(1), word(5)], vec![word(8), word(2), word(5)]);
@@ -197,7 +242,8 @@ mod tests {
         let utterances: Vec<Vec<Example<'_>>> = (0..80).map(|at| vec![example(at)]).collect();
         let fitted = fit(&utterances, &|hash| hash > 2, Prices { square: 0.01, most: 2 });
         assert_eq!(fitted.words.keys().collect::<Vec<_>>(), [&7, &8]);
-        assert!(fitted.words[&7][1] > 3 && fitted.words[&8][1] < -3, "{:?}", fitted.words);
+        let weight = |word: u32| fitted.senses[usize::from(fitted.words[&word])][1];
+        assert!(weight(7) > 60 && weight(8) < -60, "{} {}", weight(7), weight(8));
         assert!(fitted.odds(&example(0)) > 4.0 && fitted.odds(&example(1)) < 0.25);
     }
 }

@@ -10,7 +10,7 @@ pub mod sets;
 
 use clap::{Args, ValueHint};
 use fit::{Example, Fitted, Prices};
-use goodbot::talk::{ACTS_FROM, CLUES, HASHED, KINDS, KINDS_OF_WORDS, clue_name};
+use goodbot::talk::{ACTS_FROM, CLUES, HASHED, KINDS, Trained, clue_name};
 use goodbot_console::messages::bar;
 use goodbot_console::outcome::Failure;
 use goodbot_console::output;
@@ -41,7 +41,7 @@ the most probable, \"helpful\" is the share of sentences with a meaning that the
 share of all sentences on which it would act wrongly. The last rows are of each kind of sentence.
 
 Examples:
-  goodbot acts lab/acts/sets.tsv --weights core/src/talk/acceptance/weights.rs
+  goodbot acts lab/acts/sets.tsv --weights core/src/talk/acceptance/weights.acts
   goodbot acts lab/acts/first-looks.tsv --first-look")]
 pub struct ActsOptions {
     /// A list of sets of sentences
@@ -50,7 +50,7 @@ pub struct ActsOptions {
     /// Ask the decision that the library has, and fit nothing: a first look at sentences that it never saw
     #[arg(long, conflicts_with_all = ["weights", "explain", "price", "most", "folds"])]
     first_look: bool,
-    /// Write the weights, as a part of the library
+    /// Write the weights, for the library and for --weights of `goodbot ask` and `teach`
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     weights: Option<PathBuf>,
     /// Print the weights, the largest first
@@ -60,7 +60,7 @@ pub struct ActsOptions {
     #[arg(long, value_name = "PRICE", default_value = "1.5")]
     price: f64,
     /// How many words may have weights
-    #[arg(long, value_name = "NUMBER", default_value = "6000")]
+    #[arg(long, value_name = "NUMBER", default_value = "15000")]
     most: usize,
     /// Leave the authors out in so many groups, dealt out in the order of their names, instead of one at a time: faster
     #[arg(long, value_name = "NUMBER", value_parser = clap::value_parser!(u16).range(2..))]
@@ -170,7 +170,7 @@ pub fn run(options: &ActsOptions) -> Result<(), Failure> {
         explain(&mut out, &said, &fitted)?;
     }
     if let Some(file) = &options.weights {
-        std::fs::write(file, text(&fitted)).map_err(|error| Failure::Input(format!("{}: {error}", file.display())))?;
+        std::fs::write(file, bytes(&fitted)).map_err(|error| Failure::Input(format!("{}: {error}", file.display())))?;
         writeln!(out, "weights of {} clues and {} words in {}", fitted.clues.len(), fitted.words.len(), file.display())?;
     }
     Ok(out.flush()?)
@@ -181,9 +181,10 @@ fn explain(out: &mut impl Write, said: &[Said], fitted: &Fitted) -> Result<(), F
     let texts: BTreeMap<u32, &str> = said.iter().flat_map(Said::features).map(|(hash, text)| (*hash, text.as_str())).collect();
     let of_clues = (0_u16..).zip(&fitted.clues).map(|(clue, &weight)| (f64::from(weight) * fitted.scale, clue_name(clue)));
     let kinds = [1, 2, 3, KINDS].into_iter().map(|kind| clue_name((kind * (CLUES / (KINDS + 1))) as u16)[0]);
-    let of_words = fitted.words.iter().flat_map(|(hash, weights)| {
+    let of_words = fitted.words.iter().flat_map(|(hash, sense)| {
         let text = texts.get(hash).copied().unwrap_or("");
-        kinds.clone().zip(weights).map(move |(kind, &weight)| (f64::from(weight) * fitted.scale_of_words, [kind, "word", text, ""]))
+        let weights = fitted.senses[usize::from(*sense)];
+        kinds.clone().zip(weights).map(move |(kind, weight)| (f64::from(weight) * fitted.scale_of_words, [kind, "word", text, ""]))
     });
     let mut largest: Vec<(f64, [&str; 4])> = of_clues.chain(of_words).filter(|&(weight, _)| weight != 0.0).collect();
     largest.sort_by(|one, other| other.0.abs().total_cmp(&one.0.abs()).then(one.1.cmp(&other.1)));
@@ -341,24 +342,12 @@ fn tell(out: &mut impl Write, json: bool, [author, language, kind]: [&str; 3], a
     Ok(())
 }
 
-/// The weights as a file of the library.
-fn text(fitted: &Fitted) -> String {
-    let rows = |numbers: Vec<String>| numbers.chunks(24).map(|row| format!("    {},\n", row.join(", "))).collect::<String>();
-    let Fitted { clues, words, .. } = fitted;
-    let [scale, scale_of_words, bias] = [fitted.scale, fitted.scale_of_words, fitted.bias].map(|weight| weight as f32);
-    let (blocks, count) = (HASHED / 256, words.len());
-    let of_block = |block: usize| words.range((block * 256) as u32..((block + 1) * 256) as u32).count();
-    let counts = rows((0..blocks).map(|block| of_block(block).to_string()).collect());
-    let hashes = rows(words.keys().map(|hash| (hash % 256).to_string()).collect());
-    let packed = |weights: &[i8; KINDS_OF_WORDS]| weights.iter().rev().fold(0_u16, |packed, &weight| packed << 4 | (weight as u16 & 15));
-    let of_words = rows(words.values().map(|weights| packed(weights).to_string()).collect());
-    let clues = rows(clues.iter().map(ToString::to_string).collect());
-    format!(
-        "//! The trained weights, as `goodbot acts` wrote them.\n\n/// The weight of every reading.\npub const BIAS: f32 = {bias};\n/// The value of a \
-         weight of 1 of a clue, and of a word.\npub const SCALE: f32 = {scale};\n/// See `SCALE`.\npub const SCALE_OF_WORDS: f32 = \
-         {scale_of_words};\n/// The weight of each clue.\n#[rustfmt::skip]\npub const WEIGHTS: [i8; super::CLUES] = [\n{clues}];\n/// How \
-         many hashes of words each block of 256 has.\n#[rustfmt::skip]\npub const COUNTS: [u8; {blocks}] = [\n{counts}];\n/// The hashes that have weights, \
-         in order: their places in their blocks.\n#[rustfmt::skip]\npub const HASHES: [u8; {count}] = [\n{hashes}];\n/// Their weights: four bits for \
-         each kind of reading, the first in the lowest.\n#[rustfmt::skip]\npub const OF_WORDS: [u16; {count}] = [\n{of_words}];\n"
-    )
+/// The file of the weights.
+fn bytes(fitted: &Fitted) -> Vec<u8> {
+    let words: Vec<(u32, u8)> = fitted.words.iter().map(|(&hash, &sense)| (hash, sense)).collect();
+    let scales = [fitted.bias, fitted.scale, fitted.scale_of_words].map(|scale| scale as f32);
+    let mut bytes = Vec::new();
+    let trained = Trained { scales, clues: &fitted.clues, senses: &fitted.senses, words: &words };
+    trained.write(|some| bytes.extend_from_slice(some));
+    bytes
 }

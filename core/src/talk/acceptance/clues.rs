@@ -7,6 +7,7 @@ use super::super::readings::Gathering;
 use super::super::repair::Shape;
 use super::super::verdict::Doubts;
 use super::super::words::Words;
+use super::weights::Weights;
 use super::words::Spoken;
 use crate::voice::classes::Class;
 
@@ -117,7 +118,7 @@ pub(in super::super) struct Sorts<'u> {
 
 impl<'u> Sorts<'u> {
     /// Of an utterance: the words as they were said, and as they were mended.
-    pub fn of(utterance: &'u str, said: &[Heard], mended: &[Heard]) -> Self {
+    pub fn of(utterance: &'u str, weights: Weights<'u>, said: &[Heard], mended: &[Heard]) -> Self {
         let words = || said.iter().zip(mended);
         let is_name = |(_, word): (&Heard, &Heard)| word.is_name;
         let first = words().position(is_name).unwrap_or(usize::MAX);
@@ -143,7 +144,7 @@ impl<'u> Sorts<'u> {
         let is_taught = |word: &Heard| word.is_of_lessons() || word.is_name;
         let taught = words().filter(|&(said, mended)| is_taught(said) || is_taught(mended));
         let taught = taught.map(|(said, mended)| (said.piece, mended.is_name && !mended.is_toward));
-        let spoken = Spoken::of(utterance, taught);
+        let spoken = Spoken::of(utterance, weights, taught);
         Self { places, new, names: words().filter(|&pair| is_name(pair)).count(), words: end.saturating_add(1), spoken }
     }
 

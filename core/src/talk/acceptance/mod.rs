@@ -6,7 +6,7 @@
 //! [`Clues`] and of its [words](Spoken), and "nothing is to be done" the odds 1. P(tasks) is the sum of the odds of all readings with these
 //! tasks, divided by the sum of all odds. The robot takes the most probable tasks, and acts on them if P is above [`ACTS_FROM`].
 //!
-//! - `clues`: the features that no word tells; `words`: those of words; `weights`: the trained weights, which `goodbot acts` writes.
+//! - `clues`: the features that no word tells; `words`: those of words; `weights`: the file of trained weights.
 
 mod clues;
 mod weights;
@@ -14,7 +14,7 @@ mod words;
 
 pub use clues::{CLUES, Clues, KINDS, KINDS_OF_WORDS, clue_name};
 pub(super) use clues::{Sorts, asks, clear_from};
-use weights::{BIAS, SCALE, WEIGHTS};
+pub use weights::{SENSES, Trained, Weights, WeightsError};
 pub(super) use words::{BETWEEN, FAR, TURNING};
 pub use words::{HASHED, Spoken};
 
@@ -31,12 +31,12 @@ const MOST: f32 = 30.0;
 
 /// The odds of a reading with these clues against nothing that is to be done: a finite number above 0.
 pub(super) fn odds(clues: &Clues<'_>) -> f32 {
-    let to_kind = clues.to_kind();
+    let (to_kind, weights) = (clues.to_kind(), clues.spoken().weights());
     let says = |spoken: &Spoken<'_>| spoken.says(clues.kind_of_words());
-    let mut sum = BIAS + says(clues.spoken()) + clues.between().map_or(0.0, says);
+    let mut sum = weights.bias() + says(clues.spoken()) + clues.between().map_or(0.0, says);
     clues.for_each(&mut |clue, value| {
         for clue in [clue, clue.saturating_add(to_kind)] {
-            sum += f32::from(WEIGHTS.get(usize::from(clue)).copied().unwrap_or(0)) * SCALE * value;
+            sum += weights.of_clue(clue) * value;
         }
     });
     libm::expf(sum.clamp(-MOST, MOST))

@@ -3,10 +3,10 @@
 //! In a pair each name is "#", because what is said beside one name is said beside any.
 //!
 //! A feature is known by a hash of its letters (Weinberger et al. 2009, *Feature hashing for large scale multitask learning*), so no text is
-//! stored: 3 bytes for each feature that has weights, whatever its language.
+//! stored: 2 bytes for each feature that has weights, whatever its language.
 
 use super::clues::KINDS_OF_WORDS as KINDS;
-use super::weights::{COUNTS, HASHES, OF_WORDS, SCALE_OF_WORDS};
+use super::weights::{BLOCKS, Weights};
 use crate::capacity::WORDS_PER_COMMAND;
 use crate::checksum::fnv;
 use crate::language::tokenizer::start_of_piece;
@@ -15,23 +15,6 @@ use heapless::Vec;
 
 /// The features' hashes are below this.
 pub const HASHED: usize = BLOCKS * 256;
-/// Hashes are found by blocks of 256, so that one takes one byte.
-const BLOCKS: usize = 1024;
-const STRIDE: usize = 16;
-const _: () = assert!(COUNTS.len() == BLOCKS && HASHES.len() == OF_WORDS.len() && BLOCKS.is_multiple_of(STRIDE));
-/// Where the hashes of every 16th block begin. The others are counted from there, because counts take half the bytes of such places.
-#[expect(clippy::indexing_slicing, reason = "A fault would be found while it is compiled.")]
-const STARTS: [u16; BLOCKS / STRIDE] = {
-    let (mut starts, mut block, mut sum) = ([0; BLOCKS / STRIDE], 0, 0);
-    while block < BLOCKS {
-        if block.is_multiple_of(STRIDE) {
-            starts[block / STRIDE] = sum;
-        }
-        sum += COUNTS[block] as u16;
-        block += 1;
-    }
-    starts
-};
 
 /// The letters of a beginning.
 const LETTERS: usize = 4;
@@ -57,20 +40,21 @@ pub struct Spoken<'u> {
     of: &'static str,
     /// The pieces before which [`FAR`] stands instead, one bit each.
     far: u64,
-    /// What all words say for each kind of reading, in units of [`SCALE_OF_WORDS`].
+    weights: Weights<'u>,
+    /// What all words say for each kind of reading, in units of [`Weights::scale_of_words`].
     says: [i16; KINDS],
 }
 
 impl<'u> Spoken<'u> {
     /// Of an utterance, and the numbers of its pieces that lessons had, each with whether it names something.
-    pub(super) fn of(utterance: &'u str, taught: impl Iterator<Item = (u8, bool)>) -> Self {
+    pub(super) fn of(utterance: &'u str, weights: Weights<'u>, taught: impl Iterator<Item = (u8, bool)>) -> Self {
         let (mut all, mut names) = (0, 0);
         for (piece, is_name) in taught {
             let bit = bit(piece);
             all |= bit;
             names |= if is_name { bit } else { 0 };
         }
-        Self { utterance, taught: all, names, of: "", far: 0, says: [0; KINDS] }.weighed()
+        Self { utterance, taught: all, names, of: "", far: 0, weights, says: [0; KINDS] }.weighed()
     }
 
     /// Of some pieces of the same utterance, with a sign before each of those that are near.
@@ -88,7 +72,7 @@ impl<'u> Spoken<'u> {
     fn weighed(mut self) -> Self {
         let (mut says, mut heard) = ([0_i16; KINDS], Vec::<u32, WORDS_PER_COMMAND>::new());
         self.for_each(&mut |feature, _| {
-            let weights = weights(feature);
+            let weights = self.weights.of_word(feature);
             if weights == [0; KINDS] || heard.contains(&feature) {
                 return;
             }
@@ -102,6 +86,11 @@ impl<'u> Spoken<'u> {
         self
     }
 
+    /// The weights by which they are weighed.
+    pub(super) const fn weights(&self) -> Weights<'u> {
+        self.weights
+    }
+
     /// The byte where a piece of the utterance begins.
     pub(super) fn place(&self, piece: usize) -> Option<usize> {
         start_of_piece(self.utterance, piece)
@@ -109,7 +98,7 @@ impl<'u> Spoken<'u> {
 
     /// What the words say for a kind of reading, from 1: a part of its log odds.
     pub(super) fn says(&self, kind: usize) -> f32 {
-        self.says.get(kind.saturating_sub(1)).map_or(0.0, |&sum| f32::from(sum) * SCALE_OF_WORDS)
+        self.says.get(kind.saturating_sub(1)).map_or(0.0, |&sum| f32::from(sum) * self.weights.scale_of_words())
     }
 
     /// Passes each feature, by its hash below [`HASHED`], and the two texts that it consists of. One that occurs twice is passed twice, and
@@ -152,21 +141,6 @@ fn hash(of: &str, texts: [&str; 2]) -> u32 {
     (hash ^ hash >> 16) % HASHED as u32
 }
 
-/// The weights of a feature for each kind of reading, in units of [`SCALE_OF_WORDS`]; 0 if it has none.
-fn weights(feature: u32) -> [i16; KINDS] {
-    const NONE: [i16; KINDS] = [0; KINDS];
-    let block = feature as usize / 256;
-    let count = |block: &u8| usize::from(*block);
-    let group = block / STRIDE;
-    let start = STARTS.get(group).map_or(0, |&start| usize::from(start));
-    let before = COUNTS.get(group * STRIDE..block).unwrap_or(&[]);
-    let begin = start.saturating_add(before.iter().map(count).sum());
-    let end = begin.saturating_add(COUNTS.get(block).map_or(0, count));
-    let found = HASHES.get(begin..end).and_then(|hashes| hashes.binary_search(&(feature as u8)).ok());
-    let found = found.and_then(|at| OF_WORDS.get(at.saturating_add(begin)));
-    found.map_or(NONE, |&packed| [0, 4, 8, 12].map(|shift| (packed << (12 - shift)) as i16 >> 12))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -174,7 +148,7 @@ mod tests {
 
     fn features(utterance: &str, taught: &[u8]) -> std::vec::Vec<String> {
         let mut features = std::vec::Vec::new();
-        Spoken::of(utterance, taught.iter().map(|&piece| (piece, piece == 4))).for_each(&mut |_, texts| features.push(texts.join("~")));
+        Spoken::of(utterance, Weights::BUILT_IN, taught.iter().map(|&piece| (piece, piece == 4))).for_each(&mut |_, texts| features.push(texts.join("~")));
         features
     }
 
@@ -186,15 +160,8 @@ mod tests {
     }
 
     #[test]
-    fn each_feature_in_the_table_is_found_and_no_other() {
-        let found = (0..HASHED as u32).filter(|&feature| weights(feature) != [0; KINDS]).count();
-        assert_eq!(found, OF_WORDS.iter().filter(|&&packed| packed != 0).count());
-        assert!(found > 1_000, "{found}");
-    }
-
-    #[test]
     fn what_words_say_is_the_same_in_any_case_of_letters() {
-        let kinds = |utterance| [1, 2, 3, 4].map(|kind| Spoken::of(utterance, [].into_iter()).says(kind));
+        let kinds = |utterance| [1, 2, 3, 4].map(|kind| Spoken::of(utterance, Weights::BUILT_IN, [].into_iter()).says(kind));
         assert_eq!(kinds("Would you mind"), kinds("would YOU mind"));
         assert_ne!(kinds("would you mind"), [0.0; KINDS]);
         assert_eq!(kinds(""), [0.0; KINDS]);
