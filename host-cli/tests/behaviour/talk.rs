@@ -303,7 +303,7 @@ fn the_answer_says_what_an_utterance_is_taken_for() {
         ("leave the red room", "sure", "a prohibition"),
         ("go to the blue room and then go to the green room", "sure", "several commands"),
         ("bring all chairs to the blue room", "sure", "all things of a kind"),
-        ("take all bags to the green room", "done", "all things of a kind"),
+        ("bring all bags to the green room", "done", "all things of a kind"),
         ("go to the purple room", "none", "a thing that is not here"),
         ("flub wib zonk", "none", "nothing that I can do"),
         ("please", "none", "nothing that I can do"),
