@@ -6,7 +6,7 @@ use crate::symbols::Symbol;
 
 /// The trained tables, read for how often words were taken for values.
 #[derive(Clone, Copy)]
-pub(crate) struct Names<'t> {
+pub struct Names<'t> {
     layout: &'t Layout,
     rows: &'t [f32],
     others: &'t [f32],
