@@ -14,8 +14,6 @@ mod honest_evidence;
 mod hypotheses;
 mod lending_memory;
 #[cfg(feature = "alloc")]
-mod migration;
-#[cfg(feature = "alloc")]
 mod on_a_host;
 #[cfg(feature = "alloc")]
 mod role_model;
