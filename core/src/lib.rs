@@ -59,7 +59,7 @@
 //! | feature | what it adds |
 //! |---|---|
 //! | `alloc` | for hosts: `HeapMemory`, `oomdp::check`, `Lessons::of`, `Synonyms::in_known_words`, `Agent::saved`, with `unicode` one form for a letter that can be written in several ways; homes of 24 blocks and 96 objects, 256 tasks, and 255 actions |
-//! | `layer` | with `alloc`: a discriminative layer above the role model |
+//! | `layer` | with `alloc`: a layer above the role model, which a host hands over: the crate `goodbot-layer` has one |
 //! | `talk` | what people say besides commands |
 //!
 //! Every error is a [`core::error::Error`], the same trait as the standard library's: `?` turns it into a `Box<dyn Error>` with any

@@ -80,7 +80,7 @@ impl Scaled {
     }
 
     /// The ratio; 0 if `other` is 0.
-    pub(crate) fn divided_by(self, other: Self) -> Self {
+    pub fn divided_by(self, other: Self) -> Self {
         if other.is_zero() {
             return Self::ZERO;
         }
@@ -118,7 +118,8 @@ impl Scaled {
 }
 
 /// e^x by a polynomial and a power of two, within a few units in the last place; x is limited to the range of an f32.
-pub(crate) fn exp(x: f32) -> f32 {
+#[doc(hidden)]
+pub fn exp(x: f32) -> f32 {
     const LOG2_E: f32 = core::f32::consts::LOG2_E;
     // ln 2 in two parts, the first with few bits, so that its multiples are exact.
     const LN_2: [f32; 2] = [0.693_359_4, -2.121_944_4e-4];
@@ -133,7 +134,8 @@ pub(crate) fn exp(x: f32) -> f32 {
 
 /// The square root by Newton's method; 0 for negative numbers and NaN. It differs from `libm::sqrtf` by one unit in the last place for a
 /// quarter of all mantissas; a replacement would change the role model's parameters, and all published figures.
-pub(crate) fn square_root(x: f32) -> f32 {
+#[doc(hidden)]
+pub fn square_root(x: f32) -> f32 {
     if x.is_nan() || x <= 0.0 {
         return 0.0;
     }
@@ -142,7 +144,8 @@ pub(crate) fn square_root(x: f32) -> f32 {
 
 /// The same for a positive number. It has no branch, so the compiler can compute several at once.
 #[inline]
-pub(crate) fn root(x: f32) -> f32 {
+#[doc(hidden)]
+pub fn root(x: f32) -> f32 {
     let x = x.clamp(f32::MIN_POSITIVE, f32::MAX);
     // Halving the exponent gives a start within a few hundredths.
     let mut root = f32::from_bits((x.to_bits() >> 1).wrapping_add(0x1fbb_4f2e));

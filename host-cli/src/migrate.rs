@@ -2,9 +2,10 @@
 
 use clap::{Args, ValueHint};
 use goodbot::oomdp::Domain;
-use goodbot::snapshot::{Contents, Migrated, Migration};
+use goodbot::snapshot::Contents;
 use goodbot_console::load::input::{self, InputFile};
 use goodbot_console::messages::{counted, say};
+use goodbot_console::migration::{Migrated, Migration};
 use goodbot_console::outcome::Failure;
 use goodbot_console::output::{Kind, Output};
 use goodbot_console::restored;

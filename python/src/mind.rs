@@ -14,6 +14,7 @@ use goodbot::oomdp::{Action, Domain};
 use goodbot::planning::Progress;
 use goodbot::task::TaskSet;
 use goodbot::{Agent as Core, AgentError, Capacities, Options};
+use goodbot_console::learner;
 use goodbot_lesson::checked::CheckedSession;
 use goodbot_lesson::first_words::{Long, read};
 use goodbot_lesson::kept_kinds;
@@ -71,9 +72,7 @@ pub fn warn(py: Python<'_>, long: Long) -> PyResult<()> {
 impl Mind {
     /// `tasks` is the number of possible tasks that it keeps, of all sessions together.
     pub fn new(capacities: &Capacities, tasks: usize, kinds: Kinds, options: Options, seed: u64) -> Result<Self, AgentError> {
-        let memory = AgentHeap::new(capacities);
-        let memory = if options.language.layer { memory.with_layer(tasks) } else { memory };
-        let core = Core::new(memory, &kinds.lifted, options)?;
+        let core = Core::new(learner::memory(capacities, &options.language, tasks), &kinds.lifted, options)?;
         Ok(Self {
             core,
             kinds: kinds.texts,

@@ -151,7 +151,7 @@ impl<'t> BitextRef<'t> {
     }
 
     /// Whether a session is left out of training.
-    pub(super) fn leaves_out(self, session: u16) -> bool {
+    pub fn leaves_out(self, session: u16) -> bool {
         self.left_out.has(session)
     }
 

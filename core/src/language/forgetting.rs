@@ -441,9 +441,7 @@ impl LanguageMut<'_> {
     /// Forgets a machine token that nothing uses. The later ones move up.
     fn remove_token(&mut self, token: Symbol, session_tokens: &mut [Symbol]) {
         #[cfg(feature = "layer")]
-        if let Some(layer) = &mut self.layer.room {
-            layer.remove_token(token);
-        }
+        self.layer.remove_token(token);
         self.tokens.remove(token);
         self.bitext.tokens_mut().iter_mut().chain(session_tokens).for_each(|other| close_up(other, token));
     }

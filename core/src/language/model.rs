@@ -3,9 +3,9 @@
 use super::bitext::{Bitext, BitextRef, Extent};
 use super::forgetting::Unheard;
 use super::hearing::Heard;
+use super::layer::{Above, AboveRef};
 #[cfg(feature = "layer")]
-use super::layer::CommandIndex;
-use super::layer::{Layer, LayerRef};
+use super::layer::{CommandIndex, View};
 use super::roles::explanation::{Explained, Explaining};
 use super::roles::forward::{Reading, likelihood_on};
 use super::roles::{Layout, Meaning};
@@ -91,7 +91,7 @@ impl LanguageState {
             words: Symbols::new(tables.word_bytes, tables.word_ends, &mut self.words, Capacity::Words, Capacity::WordBytes),
             tokens: Symbols::new(tables.token_bytes, tables.token_ends, &mut self.tokens, Capacity::Tokens, Capacity::TokenBytes),
             bitext: Bitext::new(tables.bitext, &mut self.data),
-            layer: Layer::new(tables.layer),
+            layer: Above::new(tables.layer),
             tables: Tables::new(tables.parameters, counts, &mut self.trained),
             training: &mut self.training,
             learned_words: &mut self.learned_words,
@@ -113,7 +113,7 @@ impl LanguageState {
             words: SymbolsRef::new(tables.word_bytes, tables.word_ends, self.words),
             tokens: SymbolsRef::new(tables.token_bytes, tables.token_ends, self.tokens),
             bitext: BitextRef::new(tables.bitext, self.data),
-            layer: LayerRef::new(tables.layer),
+            layer: AboveRef::new(tables.layer),
             tables: TablesRef::new(tables.parameters, counts, &self.trained),
             training: self.training,
             learned_words: self.learned_words,
@@ -129,7 +129,7 @@ pub struct LanguageRef<'t> {
     words: SymbolsRef<'t>,
     tokens: SymbolsRef<'t>,
     bitext: BitextRef<'t>,
-    layer: Option<LayerRef<'t>>,
+    layer: Option<AboveRef<'t>>,
     tables: TablesRef<'t>,
     training: Training,
     learned_words: usize,
@@ -227,14 +227,15 @@ impl<'t> LanguageRef<'t> {
         description: impl Fn(usize) -> &'d [Symbol],
         weights: &mut [Scaled],
     ) {
-        if let Some(layer) = self.layer.filter(|_| self.settings.has_layer()) {
-            layer.weigh(self.tables, sentence, &same, &description, weights);
+        if let Some(AboveRef { layer, possible }) = self.layer.filter(|_| self.settings.has_layer()) {
+            let view = View { tables: self.tables, bitext: self.bitext, possible };
+            layer.weigh(view, sentence, &same, &description, weights);
         }
     }
 
     /// The tasks of each session, for the [layer](super::layer), if there is memory for it: each pair's weight is the prior of the task.
     pub fn possible(self) -> Option<BitextRef<'t>> {
-        self.layer.map(LayerRef::possible)
+        self.layer.map(AboveRef::possible)
     }
 
     /// As [`TablesRef::unknown_share`].
@@ -304,7 +305,7 @@ pub struct LanguageMut<'t> {
     pub(super) words: Symbols<'t>,
     pub(super) tokens: Symbols<'t>,
     pub(super) bitext: Bitext<'t>,
-    pub(super) layer: Layer<'t>,
+    pub(super) layer: Above<'t>,
     pub(super) tables: Tables<'t>,
     training: &'t mut Training,
     learned_words: &'t mut usize,
@@ -414,21 +415,21 @@ impl<'t> LanguageMut<'t> {
     #[cfg(feature = "layer")]
     pub fn add_possible<'a>(&mut self, tasks: impl Iterator<Item = (&'a [Symbol], f32)>) -> Result<(), CapacityError> {
         let is_on = self.settings.has_layer();
-        let Some(layer) = self.layer.room.as_mut().filter(|_| is_on) else { return Ok(()) };
-        while layer.possible.sessions() < self.bitext.sessions() {
-            layer.possible.add_session(&[])?;
+        let Some(possible) = self.layer.possible_mut().filter(|_| is_on) else { return Ok(()) };
+        while possible.sessions() < self.bitext.sessions() {
+            possible.add_session(&[])?;
         }
-        let extent = layer.possible.extent();
-        let mut known = CommandIndex::of(layer.possible.read());
+        let extent = possible.extent();
+        let mut known = CommandIndex::of(possible.read());
         let mut added = self.tables.fits_rows(self.tokens.len(), self.words.len());
         for (description, prior) in tasks {
             let weight = if is_weight(prior) { prior } else { 0.0 };
-            added = added.and_then(|()| known.add_pair(&mut layer.possible, description, weight));
+            added = added.and_then(|()| known.add_pair(possible, description, weight));
         }
         match added {
             // A task that was not meant may have tokens that are in no pair.
             Ok(()) => *self.learned_tokens = self.tokens.len(),
-            Err(_) => layer.possible.rewind(extent),
+            Err(_) => possible.rewind(extent),
         }
         added
     }

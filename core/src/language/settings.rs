@@ -75,17 +75,8 @@ impl Settings {
 
     /// Model 2 for short commands with few words: alignments drawn towards uniform by 4 pseudo-counts, 8 rounds, smoothing 0.01, four
     /// letters per word, and facts beside their proposition.
-    pub const SMOOTHED: Self = Self {
-        model: Model::Model2,
-        smoothing: 0.01,
-        alignment_prior: 4.0,
-        rounds: 8,
-        length: false,
-        word_letters: 4,
-        order: TokenOrder::Propositions,
-        #[cfg(feature = "layer")]
-        layer: false,
-    };
+    pub const SMOOTHED: Self =
+        Self { smoothing: 0.01, alignment_prior: 4.0, rounds: 8, word_letters: 4, order: TokenOrder::Propositions, ..Self::PAPER };
 
     /// The settings that understand people best without a heap: the role model, 8 to 12 rounds, words with the same first four letters are
     /// one.

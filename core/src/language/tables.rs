@@ -122,12 +122,12 @@ impl<'t> Tables<'t> {
 
 impl<'t> TablesRef<'t> {
     /// The role model's parameters.
-    pub(crate) const fn layout(self) -> &'t Layout {
+    pub const fn layout(self) -> &'t Layout {
         &self.trained.layout
     }
 
     /// The cells of both tables.
-    pub(crate) const fn cells(&self) -> (&'t [f32], &'t [f32]) {
+    pub const fn cells(&self) -> (&'t [f32], &'t [f32]) {
         (self.memory.translations, self.memory.alignments)
     }
 

@@ -3,9 +3,9 @@
 
 use super::bitext::BitextRef;
 use super::ibm2;
+use super::layer::Above;
 #[cfg(feature = "layer")]
-use super::layer;
-use super::layer::Layer;
+use super::layer::Step;
 use super::roles::explanation::Explained;
 use super::roles::training::Work;
 use super::roles::{self, Layout};
@@ -24,14 +24,17 @@ enum Phase {
     Start,
     Model2(ibm2::training::Part),
     Roles(roles::training::Part),
-    /// The posteriors of sessions under a model that has not seen them, from this session on.
     #[cfg(feature = "layer")]
-    Understand(u16),
-    #[cfg(feature = "layer")]
-    Layer(layer::training::Part),
+    Layer,
 }
 
 impl Phase {
+    /// The step after a trained role model.
+    #[cfg(feature = "layer")]
+    const AFTER_ROLES: Self = Self::Layer;
+    #[cfg(not(feature = "layer"))]
+    const AFTER_ROLES: Self = Self::Done;
+
     const fn of_model_2(part: ibm2::training::Part) -> Self {
         if let ibm2::training::Part::Done = part { Self::Done } else { Self::Model2(part) }
     }
@@ -53,7 +56,7 @@ impl Training {
     pub(super) fn begin(
         tables: &mut Tables<'_>,
         bitext: BitextRef<'_>,
-        layer: &mut Layer<'_>,
+        layer: &mut Above<'_>,
         words: usize,
         tokens: usize,
         settings: &Settings,
@@ -107,7 +110,7 @@ impl Training {
         &mut self,
         tables: &mut Tables<'_>,
         bitext: BitextRef<'_>,
-        layer: &mut Layer<'_>,
+        layer: &mut Above<'_>,
         settings: &Settings,
         budget: u32,
     ) -> Progress {
@@ -130,57 +133,24 @@ impl Training {
                     let (t, a) = tables.parts();
                     let mut work = Work { layout: &layout, tokens, bitext, t, a };
                     let (cells, next) = work.advance(part, &mut self.round, settings.rounds, left);
-                    let words = layout.words();
                     let is_done = matches!(next, roles::training::Part::Done);
-                    (cells, if is_done { after_roles(layer, words, bitext, settings) } else { Phase::Roles(next) })
+                    (cells, if is_done { Phase::AFTER_ROLES } else { Phase::Roles(next) })
                 }
                 #[cfg(feature = "layer")]
-                Phase::Understand(session) if usize::from(session) < bitext.sessions() => {
-                    let next = session.saturating_add(layer::FOLDS as u16);
-                    let room = layer.room.as_mut();
-                    (room.map_or(1, |room| room.understand(tables.read(), bitext, session)), Phase::Understand(next))
-                }
-                #[cfg(feature = "layer")]
-                Phase::Understand(_) => {
-                    // The next model is trained on other sessions.
-                    if let Some(room) = &mut layer.room {
-                        *room.left_out = room.left_out.next();
+                Phase::Layer => match layer.advance(tables.read(), bitext) {
+                    Step::Working(cells) => (cells, Phase::Layer),
+                    Step::RolesAnew => {
+                        *self = Self { phase: Phase::Start, round: 0 };
+                        return Progress::Working;
                     }
-                    *self = Self { phase: Phase::Start, round: 0 };
-                    return Progress::Working;
-                }
-                #[cfg(feature = "layer")]
-                Phase::Layer(part) => {
-                    let room = layer.room.as_mut();
-                    let (cells, next) = room.map_or((1, layer::training::Part::Done), |room| room.advance(tables.read(), bitext, part));
-                    (cells, if next == layer::training::Part::Done { Phase::Done } else { Phase::Layer(next) })
-                }
+                    Step::Done => (1, Phase::Done),
+                },
             };
             self.phase = next;
             left = left.saturating_sub(work.max(1));
         }
         if self.is_done() { Progress::Done } else { Progress::Working }
     }
-}
-
-/// The step after a trained role model.
-#[cfg(feature = "layer")]
-fn after_roles(layer: &mut Layer<'_>, words: usize, bitext: BitextRef<'_>, settings: &Settings) -> Phase {
-    match layer.left_out().first() {
-        Some(first) => {
-            if let Some(room) = &mut layer.room {
-                room.hear(words, bitext);
-            }
-            Phase::Understand(first)
-        }
-        None if layer.room.as_ref().is_some_and(|room| room.is_wanted(settings)) => Phase::Layer(layer::training::Part::Clear),
-        None => Phase::Done,
-    }
-}
-
-#[cfg(not(feature = "layer"))]
-const fn after_roles(_layer: &Layer<'_>, _words: usize, _bitext: BitextRef<'_>, _settings: &Settings) -> Phase {
-    Phase::Done
 }
 
 /// Gives the tables their new sizes.

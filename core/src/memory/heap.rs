@@ -2,7 +2,9 @@
 
 use crate::Capacities;
 #[cfg(feature = "layer")]
-use crate::language::layer::LayerMemory;
+use crate::language::layer::{Layer, LayerMemory};
+#[cfg(feature = "layer")]
+use alloc::boxed::Box;
 use alloc::vec;
 use alloc::vec::Vec;
 use core::fmt;
@@ -45,11 +47,11 @@ crate::for_each_agent_table! { crate::lend_tables!(AgentHeap) }
 
 #[cfg(feature = "layer")]
 impl AgentHeap {
-    /// Adds memory for the [layer](crate::language::layer): `tasks` counts the possible tasks of all sessions together, also those that
-    /// were not meant.
+    /// Adds a [layer](crate::language::layer), and memory for what it learns from: `tasks` counts the possible tasks of all sessions
+    /// together, also those that were not meant. The crate `goodbot-layer` has a layer.
     #[must_use]
-    pub fn with_layer(self, tasks: usize) -> Self {
-        Self { layer: vec![LayerMemory::new(self.sessions.len(), tasks)], ..self }
+    pub fn with_layer(self, layer: Box<dyn Layer>, tasks: usize) -> Self {
+        Self { layer: vec![LayerMemory::new(layer, self.sessions.len(), tasks)], ..self }
     }
 }
 

@@ -23,7 +23,8 @@ pub(crate) mod schema;
 pub(crate) mod search_kind;
 pub(crate) mod soundness;
 pub(crate) mod state_key;
-pub(crate) mod vocabulary;
+#[doc(hidden)]
+pub mod vocabulary;
 
 pub use crate::memory::{ObjectTables, ObjectTablesRef};
 pub use action_set::ActionSet;

@@ -342,9 +342,8 @@ impl<M: AgentMemory> Agent<M> {
             }
             let prior = self.task(position.task).prior;
             let evidence = match weights {
-                Weights::Paper => self.belief().evidence(position.task).scaled_by(prior),
+                Weights::Paper | Weights::Evidence => self.belief().evidence(position.task).scaled_by(prior),
                 Weights::Belief => self.belief().weight(position.task),
-                Weights::Evidence => self.belief().evidence(position.task).scaled_by(prior),
             };
             let mut part = None;
             let done = self.for_each_candidate(domain, &mut scene, &mut position, left, |candidates, _, _, tokens, share| {

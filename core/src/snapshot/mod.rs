@@ -9,7 +9,6 @@
 //! - `contents`: a checked model file, to inspect without restoring it;
 //! - `record`: the records of a file; `section`: those of one kind, in order;
 //! - `joining`: joins the sessions of two robots; `starter`: sentences to begin with;
-//! - `migration`: a model for the next version of a robot, with other names;
 //! - `parameters`: the parameters alone, for a robot that only obeys;
 //! - `error`: why a model could not be saved or restored.
 //!
@@ -131,8 +130,6 @@ pub(crate) mod error;
 mod joining;
 #[cfg(feature = "learning")]
 mod language;
-#[cfg(all(feature = "alloc", feature = "learning"))]
-mod migration;
 mod parameters;
 #[cfg(feature = "layer")]
 mod possible;
@@ -149,8 +146,6 @@ mod starter;
 #[cfg(feature = "learning")]
 pub use contents::Contents;
 pub use error::{Part, RestoreError, SaveError};
-#[cfg(all(feature = "alloc", feature = "learning"))]
-pub use migration::{Migrated, Migration};
 pub use parameters::PARAMETERS_MAGIC;
 pub use record::{
     CommandRecord, KINDS_MAGIC, LAYERED_VERSION, PairRecord, RestsRecord, SAVED, SessionRecord, StrategyRecord, TrainerRecord, VERSION,

@@ -38,12 +38,24 @@ impl<'a, T> Section<'a, T> {
     }
 
     /// The bytes from its first record on.
-    pub(super) const fn bytes(&self) -> &'a [u8] {
+    #[doc(hidden)]
+    pub const fn bytes(&self) -> &'a [u8] {
         self.bytes
     }
 }
 
 impl<'a, T: Deserialize<'a>> Section<'a, T> {
+    /// The bytes after its last record.
+    #[cfg(feature = "alloc")]
+    #[doc(hidden)]
+    pub fn after(&self) -> &'a [u8] {
+        let mut rest = self.bytes;
+        for _ in 0..self.count {
+            let _: Option<T> = take(&mut rest);
+        }
+        rest
+    }
+
     /// The number of records.
     pub fn len(&self) -> usize {
         self.count as usize

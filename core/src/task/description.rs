@@ -69,7 +69,7 @@ pub(crate) fn is_of_task(group: &Group<'_>) -> bool {
 /// # Errors
 /// A [`CapacityError`] if `tokens` has no room.
 #[inline(never)]
-pub(crate) fn form_token(schema: &Schema<'_>, lifted: &LiftedTask, tokens: &mut Symbols<'_>) -> Result<Symbol, CapacityError> {
+pub fn form_token(schema: &Schema<'_>, lifted: &LiftedTask, tokens: &mut Symbols<'_>) -> Result<Symbol, CapacityError> {
     let mut text: String<NAME_BYTES> = String::new();
     // A digest of the truncated letters tells long names apart.
     let mut rest: u16 = 0;

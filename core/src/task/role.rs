@@ -54,7 +54,7 @@ impl RoleKind {
     }
 
     /// Whether such objects are part of the task itself; the others are its context.
-    pub(crate) const fn is_of_task(self) -> bool {
+    pub const fn is_of_task(self) -> bool {
         matches!(self, Self::Goal | Self::Subject | Self::Through | Self::Avoiding | Self::Before)
     }
 

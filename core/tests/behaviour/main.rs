@@ -8,17 +8,11 @@ mod any_order;
 mod asking;
 mod bad_homes;
 mod ends_of_sessions;
-#[cfg(feature = "layer")]
-mod growth;
 #[cfg(feature = "alloc")]
 mod honest_evidence;
 #[cfg(feature = "alloc")]
 mod hypotheses;
-#[cfg(feature = "layer")]
-mod layer;
 mod lending_memory;
-#[cfg(feature = "alloc")]
-mod migration;
 #[cfg(feature = "alloc")]
 mod on_a_host;
 #[cfg(feature = "alloc")]

@@ -32,5 +32,5 @@ impl Learner {
 /// Memory for an agent with these settings. `tasks` is the number of possible tasks in all its sessions.
 pub fn memory(capacities: &Capacities, settings: &Settings, tasks: usize) -> AgentHeap {
     let memory = AgentHeap::new(capacities);
-    if settings.layer { memory.with_layer(tasks) } else { memory }
+    if settings.layer { goodbot_layer::above(memory, tasks) } else { memory }
 }

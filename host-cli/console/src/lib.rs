@@ -7,6 +7,7 @@
 //! | [`whole_file`] | files read and written as a whole |
 //! | [`training_data`] | recorded sessions as training data, and models trained on them |
 //! | [`starter`] | everyday sentences to begin with |
+//! | [`migration`] | a model for the next version of a robot |
 //! | [`restored`] | an agent or a language model from a model file |
 //! | [`output`] | the files to write, and which of them are never replaced |
 //! | [`claim`] | the right to write a file, which one program has at a time |
@@ -26,6 +27,7 @@ pub mod csv;
 pub mod learner;
 pub mod load;
 pub mod messages;
+pub mod migration;
 pub mod numbers;
 pub mod outcome;
 pub mod output;

@@ -196,7 +196,7 @@ fn a_file_of_format_3_is_understood_for_ever_with_its_layer_and_without() {
         agent.learn_fully();
         agent
     };
-    let layered = restored(AgentHeap::new(&capacities).with_layer(contents.possible.len()));
+    let layered = restored(goodbot_layer::above(AgentHeap::new(&capacities), contents.possible.len()));
     assert_eq!(layered.saved().unwrap(), FORMAT_3);
     let alone = restored(AgentHeap::new(&capacities));
     assert_eq!((alone.language().bitext().sessions(), alone.options().language), (4, Settings::DEFAULT));

@@ -12,7 +12,7 @@ use rand_pcg::Pcg32;
 /// A robot after the first lessons of the school, and its model after each.
 fn taught(count: usize, options: Options) -> (Agent<AgentHeap>, Vec<Vec<u8>>) {
     let memory = HeapMemory::new(&Capacities::STANDARD).agent;
-    let memory = if options.language.layer { memory.with_layer(512) } else { memory };
+    let memory = if options.language.layer { goodbot_layer::above(memory, 512) } else { memory };
     let mut agent = Agent::new(memory, &paper_tasks().unwrap(), options).unwrap();
     let (mut random, mut models) = (Pcg32::new(1, 1), vec![agent.saved().unwrap()]);
     for lesson in lessons().iter().take(count) {

@@ -112,7 +112,7 @@ pub fn clippy() -> Result<()> {
 
 /// The documentation of the libraries that other programs use; the other crates are parts of this project's programs.
 pub fn docs() -> Result<()> {
-    let (sh, packages) = (shell()?, ["goodbot", "goodbot-course", "goodbot-formats", "goodbot-lesson", "goodbot-capi"]);
+    let (sh, packages) = (shell()?, ["goodbot", "goodbot-course", "goodbot-formats", "goodbot-lesson", "goodbot-layer", "goodbot-capi"]);
     let named = packages.iter().flat_map(|package| ["--package", package]);
     Ok(cmd!(sh, "cargo doc --no-deps --features goodbot/layer").args(named).env("RUSTDOCFLAGS", "-D warnings").run()?)
 }

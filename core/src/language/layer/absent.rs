@@ -28,10 +28,10 @@ impl LeftOut {
 }
 
 #[derive(Debug)]
-pub(super) struct Layer<'t>(PhantomData<&'t mut ()>);
+pub(super) struct Above<'t>(PhantomData<&'t mut ()>);
 
 #[expect(clippy::missing_const_for_fn, clippy::unused_self, reason = "as with the layer")]
-impl<'t> Layer<'t> {
+impl<'t> Above<'t> {
     pub fn new(_: &'t mut [LayerMemory]) -> Self {
         Self(PhantomData)
     }
@@ -48,16 +48,16 @@ impl<'t> Layer<'t> {
         None
     }
 
-    pub const fn read(&self) -> Option<LayerRef<'t>> {
+    pub const fn read(&self) -> Option<AboveRef<'t>> {
         None
     }
 }
 
 /// There is none.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct LayerRef<'t>(Infallible, PhantomData<&'t ()>);
+pub(super) struct AboveRef<'t>(Infallible, PhantomData<&'t ()>);
 
-impl<'t> LayerRef<'t> {
+impl<'t> AboveRef<'t> {
     pub const fn new(_: &'t [LayerMemory]) -> Option<Self> {
         None
     }

@@ -42,7 +42,7 @@ impl CommandIndex {
 }
 
 /// The hash of a description.
-pub(super) fn hash(tokens: &[Symbol]) -> u32 {
+pub fn hash(tokens: &[Symbol]) -> u32 {
     fnv(tokens.iter().map(|token| u32::from(token.0)))
 }
 

@@ -615,7 +615,7 @@ impl Reading {
 
 /// Pr(e|t); 1 for an untrained model. `tell` gets each word's position and its probability after the words before it.
 #[inline(never)]
-pub(crate) fn likelihood(
+pub fn likelihood(
     layout: &Layout,
     (translations, alignments): (&[f32], &[f32]),
     sentence: &[Option<Symbol>],
@@ -634,12 +634,7 @@ pub(crate) fn likelihood(
 
 /// The probability that commands name as much of each role of a task as these words do; 1 without ways.
 #[cfg(feature = "layer")]
-pub(crate) fn named(
-    layout: &Layout,
-    (translations, alignments): (&[f32], &[f32]),
-    sentence: &[Option<Symbol>],
-    description: &[Symbol],
-) -> f32 {
+pub fn named(layout: &Layout, (translations, alignments): (&[f32], &[f32]), sentence: &[Option<Symbol>], description: &[Symbol]) -> f32 {
     let mut reader = Reader::new(layout, translations, alignments, description);
     reader.take_groups();
     reader.naming_of_any(heard(layout, sentence))

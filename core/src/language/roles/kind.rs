@@ -73,7 +73,7 @@ fn length(words: usize) -> f32 {
 }
 
 /// The kinds of task that a command may speak of.
-pub(crate) struct Kinds {
+pub struct Kinds {
     /// q_l(e) for each lifted task of the training data.
     shares: Forms,
     /// The number of words that training has not seen.
@@ -107,7 +107,7 @@ impl Kinds {
 /// ```
 ///
 /// with Z_l^(3/4) if tasks have ways, because their kinds differ by few words. An untrained model leaves the weights unchanged.
-pub(crate) fn weigh(tables: TablesRef<'_>, sentence: &[Option<Symbol>], form: impl Fn(usize) -> Symbol, weights: &mut [Scaled]) {
+pub fn weigh(tables: TablesRef<'_>, sentence: &[Option<Symbol>], form: impl Fn(usize) -> Symbol, weights: &mut [Scaled]) {
     let (count, layout) = (weights.len(), tables.layout());
     if layout.words() == 0 {
         return;
@@ -133,7 +133,7 @@ pub(crate) fn weigh(tables: TablesRef<'_>, sentence: &[Option<Symbol>], form: im
 
 /// Half the share of unknown words falls back to the task prior; but not if the words in names are values, when an unknown word is only
 /// taken for a value that was never named.
-pub(crate) fn dilute(tables: TablesRef<'_>, sentence: &[Option<Symbol>], prior: impl Fn(usize) -> f32, weights: &mut [Scaled]) {
+pub fn dilute(tables: TablesRef<'_>, sentence: &[Option<Symbol>], prior: impl Fn(usize) -> f32, weights: &mut [Scaled]) {
     if tables.words() == 0 || tables.layout().has_names() {
         return;
     }

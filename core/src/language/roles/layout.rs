@@ -226,7 +226,7 @@ impl Layout {
 
     /// The number of words of all sessions, repetitions included, each times the weight of its session.
     #[cfg(feature = "layer")]
-    pub(crate) fn words_said(&self, bitext: BitextRef<'_>) -> f32 {
+    pub fn words_said(&self, bitext: BitextRef<'_>) -> f32 {
         if !self.has_names() {
             return bitext.words_said() as f32;
         }

@@ -34,12 +34,12 @@ pub mod forward;
 pub mod kind;
 pub mod layout;
 #[cfg(feature = "layer")]
-pub(crate) mod names;
+pub mod names;
 mod start;
 #[cfg(feature = "talk")]
 pub(crate) mod talk;
 pub mod training;
-pub(crate) mod whole;
+pub mod whole;
 
 pub use explanation::Meaning;
 pub use layout::Layout;

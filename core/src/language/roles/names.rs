@@ -6,7 +6,7 @@ use crate::symbols::Symbol;
 
 /// The trained tables, read for how often words were taken for values.
 #[derive(Clone, Copy)]
-pub(crate) struct Names<'t> {
+pub struct Names<'t> {
     layout: &'t Layout,
     rows: &'t [f32],
     others: &'t [f32],
@@ -28,6 +28,7 @@ impl<'t> Names<'t> {
     }
 
     /// How often the word was taken for the value, divided by one more than the times it was heard; 0 for unseen words and values.
+    #[inline]
     pub fn share(self, word: Symbol, value: Symbol) -> f32 {
         let row = self.layout.row(Some(value));
         if word.index() >= self.layout.words() || value.index() >= self.layout.tokens() {

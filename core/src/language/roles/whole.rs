@@ -23,7 +23,7 @@ const WEIGHT: f32 = 2.0;
 
 /// The factor of Pr(e|t) for a command of these words, at least 1.
 #[inline(never)]
-pub(crate) fn said_before(bitext: BitextRef<'_>, sentence: &[Option<Symbol>], description: &[Symbol]) -> f32 {
+pub fn said_before(bitext: BitextRef<'_>, sentence: &[Option<Symbol>], description: &[Symbol]) -> f32 {
     let (mut of_task, mut all) = (0.0_f32, 0.0_f32);
     let is_same =
         |&session: &u16| !bitext.leaves_out(session) && bitext.sentence(session).iter().copied().map(Some).eq(sentence.iter().copied());

@@ -1,12 +1,12 @@
 //! The results of a training besides the weights: the kinds of task that were meant, and the share of sessions with a new word.
 
-use super::weighed::Group;
-use crate::capacity::LIFTED_TASKS;
-use crate::language::bitext::BitextRef;
-use crate::language::roles::Layout;
-use crate::symbols::Symbol;
-use crate::task::description::form;
-use alloc::collections::{BTreeMap, BTreeSet};
+use crate::weighed::Group;
+use goodbot::capacity::LIFTED_TASKS;
+use goodbot::language::BitextRef;
+use goodbot::language::roles::Layout;
+use goodbot::symbols::Symbol;
+use goodbot::task::description::form;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// A kind of task was meant if its weight in all sessions together is at least this.
 const MET: f32 = 0.5;
@@ -25,7 +25,7 @@ fn new_words(bitext: BitextRef<'_>) -> f32 {
 
 /// The results of a training.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Learned {
+pub struct Learned {
     /// Whether the weights are trained.
     pub done: bool,
     /// The number of words in the sessions trained on, repetitions included.

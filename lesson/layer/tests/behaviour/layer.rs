@@ -9,6 +9,7 @@ use goodbot::probability::{Scaled, total};
 use goodbot::symbols::Symbol;
 use goodbot::task::{Marker, Role, RoleKind};
 use goodbot::{Capacities, capacity};
+use goodbot_layer::above;
 
 const COLORS: [&str; 4] = ["colorRed", "colorGreen", "colorBlue", "colorYellow"];
 /// Commands, each with the color of its goal.
@@ -30,7 +31,7 @@ fn capacities() -> Capacities {
 }
 
 fn memory() -> AgentHeap {
-    AgentHeap::new(&capacities()).with_layer(capacities().pairs)
+    above(AgentHeap::new(&capacities()), capacities().pairs)
 }
 
 /// The task to go to the room of each color.
@@ -92,7 +93,7 @@ fn by_order(lessons: usize) -> Vec<(&'static str, usize)> {
 
 fn roomy() -> AgentHeap {
     let capacities = Capacities { sessions: 80, pairs: 320, ..capacities() };
-    AgentHeap::new(&capacities).with_layer(capacities.pairs)
+    above(AgentHeap::new(&capacities), capacities.pairs)
 }
 
 #[test]
@@ -222,7 +223,7 @@ fn memory_that_another_model_had_is_as_good_as_new() {
 
 #[test]
 fn a_layer_that_is_full_says_so_and_learns_from_the_sessions_before() {
-    let room = AgentHeap::new(&Capacities { pairs: 32, ..capacities() }).with_layer(32);
+    let room = above(AgentHeap::new(&Capacities { pairs: 32, ..capacities() }), 32);
     let mut model = with_lessons(room, Settings::LAYERED, &LESSONS[..8]);
     let words = model.lend().hear(LESSONS[8].0).unwrap();
     let tasks = tasks(&mut model);
@@ -372,7 +373,7 @@ mod saved {
     #[test]
     fn memory_with_less_room_for_the_layer_refuses_the_model() {
         let file = taught(memory(), Settings::LAYERED, &LESSONS).saved().unwrap();
-        let small = AgentHeap::new(&goodbot::Capacities { pairs: 20, ..capacities() }).with_layer(20);
+        let small = goodbot_layer::above(AgentHeap::new(&goodbot::Capacities { pairs: 20, ..capacities() }), 20);
         let refused = LanguageModel::new(small, Settings::LAYERED).unwrap().restore(&file).unwrap_err();
         assert!(matches!(refused, RestoreError::Capacity(full) if full.given == 40), "{refused}");
     }

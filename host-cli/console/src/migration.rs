@@ -1,25 +1,15 @@
 //! A model for the next version of a robot: an update of its program may rename, move, add or leave out propositional functions, classes
 //! and attributes, and the lessons stay.
 
-use super::checking::{COMMANDS, Checking, WORDS};
-#[cfg(feature = "layer")]
-use super::checking::{POSSIBLE_COMMANDS, RESTS};
-use super::contents::Contents;
-use super::error::{Part, RestoreError};
-use super::record::{CHECK_BYTES, CommandRecord, HEADER_BYTES, MAGIC};
-use super::saving::Out;
-use super::section::take;
-use crate::capacity::{Capacity, NAME_BYTES};
-use crate::checksum::Running;
-use crate::language::Model;
-use crate::oomdp::{Attribute, Class, ClassId, Proposition, PropositionId, Schema, vocabulary};
-use crate::symbols::{Symbol, Symbols};
-use crate::task::LiftedTask;
-use crate::task::description::{form, form_token, groups};
-use crate::task::role::{Marker, Role, RoleKind, VALUE_SORTS};
-use alloc::borrow::ToOwned;
-use alloc::string::String;
-use alloc::vec::Vec;
+use crc::{CRC_32_ISO_HDLC, Crc};
+use goodbot::capacity::{Capacity, NAME_BYTES};
+use goodbot::language::Model;
+use goodbot::oomdp::vocabulary::digest;
+use goodbot::oomdp::{Attribute, Class, ClassId, Proposition, PropositionId, Schema};
+use goodbot::snapshot::{CommandRecord, Contents, RestoreError};
+use goodbot::symbols::{Symbol, Symbols};
+use goodbot::task::description::{form, form_token, groups};
+use goodbot::task::{LiftedTask, Marker, Role, RoleKind, VALUE_SORTS};
 
 /// The change from one version of a robot to the next.
 #[derive(Clone, Copy, Debug)]
@@ -42,7 +32,7 @@ pub struct Migrated {
     /// The names that the next version does not have, each once: propositional functions, classes, attributes, and kinds of task.
     pub lost: Vec<String>,
     /// The sessions that most probably meant a kind of task that the next version does not have, by position: leave them out by
-    /// [`Agent::unlearn`](crate::Agent::unlearn), the last one first.
+    /// [`Agent::unlearn`](goodbot::Agent::unlearn), the last one first.
     pub sessions: Vec<u16>,
 }
 
@@ -71,10 +61,8 @@ impl Migration<'_> {
     /// # Errors
     /// [`RestoreError`] if it is no model of the vocabulary `from`, or none of the role model.
     pub fn of(&self, bytes: &[u8]) -> Result<Migrated, RestoreError> {
-        let mut checking = Checking::of(bytes);
-        checking.all()?;
-        let contents = Contents::of(&checking)?;
-        if ![0, vocabulary::digest(&self.from)].contains(&contents.vocabulary) {
+        let contents = Contents::read(bytes)?;
+        if ![0, digest(&self.from)].contains(&contents.vocabulary) {
             return Err(RestoreError::OtherDomain);
         }
         if contents.options.language.model != Model::Roles {
@@ -95,7 +83,6 @@ impl Migration<'_> {
         };
         rewriting.take_names();
         let (commands, known): (Vec<_>, Vec<_>) = contents.commands.iter().map(|command| rewriting.command(&command)).unzip();
-        #[cfg(feature = "layer")]
         let possible: Vec<_> = contents.possible_commands.iter().map(|command| rewriting.command(&command).0).collect();
         let mut pairs = contents.pairs.iter();
         let mut sessions = Vec::new();
@@ -109,35 +96,7 @@ impl Migration<'_> {
                 sessions.push(position as u16);
             }
         }
-        // The bytes are those of the old file, but for the vocabulary, the tokens and the commands.
-        let file = checking.bytes;
-        let truncated = RestoreError::Inconsistent(Part::Head);
-        let head = file.get(HEADER_BYTES..).ok_or(truncated)?;
-        let mut after_vocabulary = head;
-        let _: u32 = take(&mut after_vocabulary).ok_or(truncated)?;
-        let after_words = after::<&str>(checking.section::<&str>(WORDS).bytes(), contents.words.len());
-        let after_commands = after::<CommandRecord>(checking.section::<CommandRecord>(COMMANDS).bytes(), contents.commands.len());
-        let mut pieces = alloc::vec![Piece::Number(vocabulary::digest(&self.to))];
-        pieces.push(Piece::Bytes(between(after_vocabulary, after_words)));
-        pieces.extend([Piece::Texts(&rewriting.after), Piece::Commands(&commands)]);
-        let end = after_commands.len().saturating_sub(CHECK_BYTES);
-        #[cfg(feature = "layer")]
-        if checking.is_layered() {
-            let after_rests =
-                after::<super::record::RestsRecord>(checking.section::<super::record::RestsRecord>(RESTS).bytes(), contents.rests.len());
-            let after_possible = after::<CommandRecord>(checking.section::<CommandRecord>(POSSIBLE_COMMANDS).bytes(), possible.len());
-            let end = after_possible.len().saturating_sub(CHECK_BYTES);
-            pieces.extend([
-                Piece::Bytes(between(after_commands, after_rests)),
-                Piece::Commands(&possible),
-                Piece::Bytes(after_possible.get(..end).unwrap_or(&[])),
-            ]);
-        } else {
-            pieces.push(Piece::Bytes(after_commands.get(..end).unwrap_or(&[])));
-        }
-        #[cfg(not(feature = "layer"))]
-        pieces.push(Piece::Bytes(after_commands.get(..end).unwrap_or(&[])));
-        let model = written(file.get(MAGIC.len()..).and_then(|rest| rest.first_chunk()).copied().unwrap_or_default(), &pieces);
+        let model = rewriting.file(bytes, &contents, &commands, &possible);
         Ok(Migrated { model, lost: rewriting.lost, sessions })
     }
 
@@ -216,12 +175,12 @@ impl<'m> Rewriting<'m> {
 
     /// A machine command of the next version, and whether its kind of task is known there.
     fn command(&self, record: &CommandRecord) -> (Vec<Symbol>, bool) {
-        let old: Vec<Symbol> = record.iter().map(|&token| Symbol(token)).collect();
+        let old: Vec<Symbol> = record.iter().copied().map(Symbol::new).collect();
         let text = |token: Symbol| self.before.get(token.index()).copied().unwrap_or("");
         let is_known = form(&old).is_some_and(|token| self.kinds.iter().any(|kind| kind.is_kept && kind.before == text(token)));
         let renumbered = |token: Symbol| {
             let text = self.new_text(text(token));
-            Symbol(self.after.iter().position(|other| *other == text).unwrap_or(0) as u16)
+            Symbol::new(self.after.iter().position(|other| *other == text).unwrap_or(0) as u16)
         };
         let mut new: Vec<(Marker, Vec<Symbol>)> = Vec::new();
         for group in groups(&old) {
@@ -238,6 +197,35 @@ impl<'m> Rewriting<'m> {
             command.extend(values);
         }
         (command, is_known)
+    }
+
+    /// The file of the next version: its bytes are those of the old one, but for the vocabulary, the tokens and the commands.
+    fn file(&self, old: &[u8], contents: &Contents<'_>, commands: &[Vec<Symbol>], possible: &[Vec<Symbol>]) -> Vec<u8> {
+        // A record of a host may follow the model.
+        let length = old.get(BEFORE_LENGTH..HEADER).and_then(|bytes| bytes.try_into().ok()).map_or(0, u32::from_le_bytes);
+        let after_vocabulary = old.get(HEADER + number(contents.vocabulary).count()..length as usize).unwrap_or(&[]);
+        let mut file = old.get(..BEFORE_LENGTH).unwrap_or(&[]).to_vec();
+        file.extend([0; HEADER - BEFORE_LENGTH]);
+        file.extend(number(digest(&self.migration.to)));
+        file.extend(between(after_vocabulary, contents.words.after()));
+        file.extend(number(self.after.len() as u32));
+        for text in &self.after {
+            file.extend(number(text.len() as u32));
+            file.extend(text.as_bytes());
+        }
+        put_commands(&mut file, commands);
+        let mut rest = contents.commands.after();
+        if contents.options.language.layer {
+            file.extend(between(rest, contents.rests.after()));
+            put_commands(&mut file, possible);
+            rest = contents.possible_commands.after();
+        }
+        file.extend(&rest[..rest.len().saturating_sub(CHECK)]);
+        let length = (file.len() + CHECK) as u32;
+        file[BEFORE_LENGTH..HEADER].copy_from_slice(&length.to_le_bytes());
+        let check = Crc::<u32>::new(&CRC_32_ISO_HDLC).checksum(&file);
+        file.extend(check.to_le_bytes());
+        file
     }
 
     /// The marker of the next version, `None` if it has no such role or sort of values.
@@ -281,56 +269,27 @@ const fn rank(kind: RoleKind) -> u8 {
     }
 }
 
-/// A part of the new file.
-enum Piece<'p> {
-    Number(u32),
-    Bytes(&'p [u8]),
-    Texts(&'p [String]),
-    Commands(&'p [Vec<Symbol>]),
-}
-
-/// What follows some records.
-fn after<'a, T: serde::Deserialize<'a>>(mut rest: &'a [u8], records: usize) -> &'a [u8] {
-    for _ in 0..records {
-        let _: Option<T> = take(&mut rest);
-    }
-    rest
-}
+/// The bytes before the payload: magic, format and length; and the bytes before the length.
+const HEADER: usize = 14;
+const BEFORE_LENGTH: usize = 10;
+/// The bytes of the checksum.
+const CHECK: usize = 4;
 
 /// The bytes from one place of a file to a later one, each given by all that follows it.
 fn between<'a>(from: &'a [u8], to: &[u8]) -> &'a [u8] {
     from.get(..from.len().saturating_sub(to.len())).unwrap_or(&[])
 }
 
-/// The file of this format with these pieces.
-fn written(version: [u8; 2], pieces: &[Piece<'_>]) -> Vec<u8> {
-    let mut file = Vec::new();
-    // First the length, then the bytes.
-    for _ in 0..2 {
-        let stated = file.len().saturating_add(CHECK_BYTES) as u32;
-        let mut out = Out { buffer: &mut file, length: 0 };
-        out.bytes(&MAGIC);
-        out.bytes(&version);
-        out.bytes(&stated.to_le_bytes());
-        for piece in pieces {
-            match piece {
-                Piece::Number(number) => out.number(*number),
-                Piece::Bytes(bytes) => out.bytes(bytes),
-                Piece::Texts(texts) => {
-                    out.count(texts.len());
-                    texts.iter().for_each(|text| out.text(text));
-                }
-                Piece::Commands(commands) => {
-                    out.count(commands.len());
-                    commands.iter().for_each(|command| out.symbols(command));
-                }
-            }
-        }
-        let length = out.length;
-        file.resize(length, 0);
+/// A number or a count, as postcard writes it: seven bits per byte, the lowest first.
+fn number(number: u32) -> impl Iterator<Item = u8> {
+    let bytes = (38 - (number | 1).leading_zeros()) / 7;
+    (0..bytes).map(move |at| (number >> (7 * at)) as u8 & 0x7f | if at + 1 < bytes { 0x80 } else { 0 })
+}
+
+fn put_commands(file: &mut Vec<u8>, commands: &[Vec<Symbol>]) {
+    file.extend(number(commands.len() as u32));
+    for command in commands {
+        file.extend(number(command.len() as u32));
+        file.extend(command.iter().flat_map(|symbol| number(symbol.index() as u32)));
     }
-    let mut running = Running::new();
-    running.update(&file);
-    file.extend(running.value().to_le_bytes());
-    file
 }

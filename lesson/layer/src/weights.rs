@@ -1,10 +1,9 @@
 //! The cells of the weights: each feature of a command and a part of a task has a cell, found by a hash. Two features may share one.
 
-use crate::probability::{root, square_root};
-use crate::symbols::Symbol;
-use crate::task::role::RoleKind;
-use alloc::vec::Vec;
-use core::ops::Range;
+use goodbot::probability::{root, square_root};
+use goodbot::symbols::Symbol;
+use goodbot::task::RoleKind;
+use std::ops::Range;
 
 /// Weights of a word together with a kind of task.
 const KINDS: Range<usize> = 0..2_048;
@@ -13,7 +12,7 @@ const CONTEXTS: Range<usize> = KINDS.end..KINDS.end + 2_048;
 /// A constant for each kind of task.
 const CONSTANTS: Range<usize> = CONTEXTS.end..CONTEXTS.end + 64;
 /// a - 1, with a the exponent of the role model's posterior.
-pub(super) const TRUST: usize = CONSTANTS.end;
+pub const TRUST: usize = CONSTANTS.end;
 /// In worlds that are told, and for commands of one or two words: a constant for each value in a role, and a weight of each word together
 /// with it.
 const WORDS: Range<usize> = TRUST + 1..TRUST + 1 + 16_384;
@@ -21,10 +20,10 @@ const WORDS: Range<usize> = TRUST + 1..TRUST + 1 + 16_384;
 const KINDS_OF_ROLES: Range<usize> = WORDS.end..WORDS.end + 8_192;
 const GROUPS_OF_ROLES: Range<usize> = KINDS_OF_ROLES.end..KINDS_OF_ROLES.end + 2_048;
 /// The number of weights.
-pub(super) const CELLS: usize = GROUPS_OF_ROLES.end;
+pub const CELLS: usize = GROUPS_OF_ROLES.end;
 
 /// How strongly each range is pulled towards 0: the stronger, the more sessions it takes to learn a weight.
-pub(super) const PULLS: [(Range<usize>, f32); 7] = [
+pub const PULLS: [(Range<usize>, f32); 7] = [
     (KINDS, 10.0),
     (CONTEXTS, 3.0),
     (CONSTANTS, 1.0),
@@ -36,7 +35,7 @@ pub(super) const PULLS: [(Range<usize>, f32); 7] = [
 
 /// The roles that share a weight.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Roles {
+pub enum Roles {
     /// Those of one kind, with alternatives or without.
     Kind(RoleKind, bool),
     /// All of the task.
@@ -57,7 +56,7 @@ impl Roles {
 
 /// What stands around a word that speaks of a value.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Context {
+pub enum Context {
     /// Any context.
     Any,
     /// The word before; `None` at the beginning of the command.
@@ -77,7 +76,7 @@ pub(super) enum Context {
 impl Context {
     fn code(self) -> (u16, u16) {
         // No word has the number of the end.
-        let end = |word: Option<Symbol>| word.map_or(u16::MAX, |word| word.0);
+        let end = |word: Option<Symbol>| word.map_or(u16::MAX, number);
         match self {
             Self::Any => (1, 0),
             Self::Before(word) => (2, end(word)),
@@ -85,37 +84,41 @@ impl Context {
             Self::After(word) => (4, end(word)),
             Self::Earlier(count) => (5, count),
             Self::Later(count) => (6, count),
-            Self::Since(word) => (7, word.0),
+            Self::Since(word) => (7, number(word)),
         }
     }
 }
 
 /// The cell of a word together with a kind of task.
-pub(super) fn of_kind_word(form: Symbol, word: Symbol) -> usize {
-    cell(KINDS, [form.0, word.0, 0])
+pub fn of_kind_word(form: Symbol, word: Symbol) -> usize {
+    cell(KINDS, [number(form), number(word), 0])
 }
 
 /// The cell of a value in a role, alone or with any word of the command.
-pub(super) fn of_told(role: Symbol, value: Symbol, word: Option<Symbol>) -> usize {
-    cell(WORDS, [role.0, value.0, word.map_or(u16::MAX, |word| word.0)])
+pub fn of_told(role: Symbol, value: Symbol, word: Option<Symbol>) -> usize {
+    cell(WORDS, [number(role), number(value), word.map_or(u16::MAX, number)])
 }
 
 /// The cell of a context, for all values of a role.
-pub(super) fn of_context(role: Symbol, context: Context) -> usize {
+pub fn of_context(role: Symbol, context: Context) -> usize {
     let (kind, about) = context.code();
-    cell(CONTEXTS, [role.0, kind, about])
+    cell(CONTEXTS, [number(role), kind, about])
 }
 
 /// The cell of a context, for the values of all these roles.
-pub(super) fn of_roles(roles: Roles, context: Context) -> usize {
+pub fn of_roles(roles: Roles, context: Context) -> usize {
     let range = if matches!(roles, Roles::Kind(..)) { KINDS_OF_ROLES } else { GROUPS_OF_ROLES };
     let (kind, about) = context.code();
     cell(range, [roles.code(), kind, about])
 }
 
 /// The cell of a kind of task's constant.
-pub(super) fn of_kind(form: Symbol) -> usize {
-    cell(CONSTANTS, [form.0, 0, 0])
+pub fn of_kind(form: Symbol) -> usize {
+    cell(CONSTANTS, [number(form), 0, 0])
+}
+
+const fn number(symbol: Symbol) -> u16 {
+    symbol.index() as u16
 }
 
 fn cell(range: Range<usize>, parts: [u16; 3]) -> usize {
@@ -123,7 +126,7 @@ fn cell(range: Range<usize>, parts: [u16; 3]) -> usize {
 }
 
 /// One of `count` numbers, by a hash: the finisher of MurmurHash3, word by word.
-pub(super) fn hashed<const PARTS: usize>(count: usize, parts: [u16; PARTS]) -> usize {
+pub fn hashed<const PARTS: usize>(count: usize, parts: [u16; PARTS]) -> usize {
     let mut hash = 0x9e37_79b9_u32;
     for part in parts {
         hash = (hash ^ u32::from(part)).wrapping_mul(0x85eb_ca6b);
@@ -134,7 +137,7 @@ pub(super) fn hashed<const PARTS: usize>(count: usize, parts: [u16; PARTS]) -> u
 }
 
 /// The weights, and the state of their training.
-pub(super) struct Weights<'t> {
+pub struct Weights<'t> {
     pub values: &'t mut [f32],
     /// 1 plus the sum of the squares of all gradients so far.
     pub squares: &'t mut [f32],
@@ -143,7 +146,7 @@ pub(super) struct Weights<'t> {
 }
 
 impl<'t> Weights<'t> {
-    /// The two parts of a table of [`LAYER_WEIGHTS`](super::LAYER_WEIGHTS) numbers.
+    /// The two parts of a table of twice [`CELLS`] numbers.
     pub fn of(all: &'t mut [f32], rate: f32) -> Self {
         let (values, squares) = all.split_at_mut_checked(CELLS).unwrap_or((&mut [], &mut []));
         Self { values, squares, rate }

@@ -1,20 +1,18 @@
 //! An update of a robot's program keeps its lessons, whatever its names were.
 
-use crate::rooms::rooms;
-use goodbot::home::{self, Cell, Home, HomeState};
+use goodbot::home::{self, Area, Cell, Home, HomeBuilder, HomeState, Moves};
 use goodbot::memory::HomeHeap;
 use goodbot::oomdp::{
     Action, ActionKind, Attribute, Carrier, Class, ClassId, Domain, GroundProposition, ObjectId, OneByOne, Proposition, PropositionId,
     Schema, World,
 };
 use goodbot::session::Weights;
-use goodbot::snapshot::{Contents, Migrated, Migration, RestoreError};
-#[cfg(feature = "ways")]
+use goodbot::snapshot::{Contents, RestoreError};
 use goodbot::symbols::Symbol;
 use goodbot::task::LiftedTask;
-#[cfg(feature = "ways")]
 use goodbot::task::Marker;
 use goodbot::{Agent, Capacities, HeapMemory, Options};
+use goodbot_console::migration::{Migrated, Migration};
 
 /// A home whose names are those of another version.
 struct Version<'v> {
@@ -57,7 +55,6 @@ impl Domain for Version<'_> {
         self.home.numbered(number)
     }
 
-    #[cfg(feature = "ways")]
     fn tell_derived(&self, state: &HomeState, object: ObjectId, tell: &mut dyn FnMut(&str)) {
         self.home.tell_derived(state, object, tell);
     }
@@ -68,6 +65,19 @@ const ROOM: ClassId = ClassId::new(1);
 const DOOR: ClassId = ClassId::new(2);
 const BLOCK: ClassId = ClassId::new(3);
 const CLASSES: &[Class<'static>] = &[Class::new("agent"), Class::new("room"), Class::new("door"), Class::new("block")];
+
+/// A green room and a red one above a blue one, with the robot and a yellow chair.
+fn rooms() -> (Home<HomeHeap>, HomeState) {
+    let mut builder = HomeBuilder::new(HomeHeap::new(&Capacities::SMALL));
+    builder.room("room0", Area::new(0, 0, 8, 4), "blue").unwrap();
+    builder.room("room1", Area::new(0, 4, 4, 8), "green").unwrap();
+    builder.room("room2", Area::new(4, 4, 8, 8), "red").unwrap();
+    builder.door("door0", Area::new(2, 4, 2, 4)).unwrap();
+    builder.door("door1", Area::new(6, 4, 6, 4)).unwrap();
+    builder.agent("agent0", Cell::new(4, 1)).unwrap();
+    builder.block("block0", Cell::new(4, 2), "yellow", "chair").unwrap();
+    builder.build(Moves::Push).unwrap()
+}
 
 fn agent(tasks: &[LiftedTask]) -> Agent<goodbot::memory::AgentHeap> {
     Agent::new(HeapMemory::new(&Capacities::STANDARD).agent, tasks, Options { weights: Weights::Belief, ..Options::DEFAULT }).unwrap()
@@ -118,7 +128,7 @@ fn heard<D: Domain>(domain: &D, start: &D::State, tasks: &[LiftedTask], model: &
 
 #[test]
 fn renamed_propositions_and_attributes_keep_their_lessons_to_the_bit() {
-    let (home, start) = rooms(HomeHeap::new(&Capacities::SMALL), Some(Cell::new(4, 2)));
+    let (home, start) = rooms();
     let model = lessons(&home, &start);
     let carriers: [&[Carrier<'static>]; 2] =
         [&[Carrier::new(ROOM, "roomIs"), Carrier::new(BLOCK, "blockIs")], &[Carrier::new(BLOCK, "shape")]];
@@ -158,7 +168,7 @@ fn renamed_propositions_and_attributes_keep_their_lessons_to_the_bit() {
 
 #[test]
 fn what_moved_is_understood_and_what_is_gone_is_named() {
-    let (home, start) = rooms(HomeHeap::new(&Capacities::SMALL), Some(Cell::new(4, 2)));
+    let (home, start) = rooms();
     let model = lessons(&home, &start);
     let propositions = [Proposition::new("near", &[ROBOT, BLOCK]), home::SCHEMA.propositions[1], home::SCHEMA.propositions[0]];
     let schema = Schema { propositions: &propositions, ..home::SCHEMA };
@@ -184,7 +194,6 @@ fn what_moved_is_understood_and_what_is_gone_is_named() {
 }
 
 /// Each group of a machine command: its sort of values, and the first value's token.
-#[cfg(feature = "ways")]
 fn sorts(model: &[u8]) -> Vec<(u8, String)> {
     let contents = Contents::read(model).unwrap();
     let tokens: Vec<_> = contents.tokens.iter().collect();
@@ -199,10 +208,9 @@ fn sorts(model: &[u8]) -> Vec<(u8, String)> {
     sorts
 }
 
-#[cfg(feature = "ways")]
 #[test]
 fn facts_of_old_lessons_are_not_taken_for_values_of_an_attribute_that_was_added() {
-    let (home, start) = rooms(HomeHeap::new(&Capacities::SMALL), Some(Cell::new(4, 2)));
+    let (home, start) = rooms();
     let tasks = |schema: &Schema<'_>| ["agentInRoom(?a, ?r)", "blockInRoom(?o, ?r)"].map(|text| LiftedTask::parse(text, schema).unwrap());
     let of_colors = Schema { attributes: &home::SCHEMA.attributes[..1], ..home::SCHEMA };
     let home = home.with_derived(true);

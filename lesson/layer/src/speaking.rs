@@ -1,19 +1,17 @@
 //! The features of the parts of a session's tasks, computed once for all passes of a training.
 
-use super::contexts::Command;
-use super::parts::Parts;
-use super::weights::{CELLS, Weights};
-use crate::language::tables::TablesRef;
-use crate::symbols::Symbol;
-use alloc::vec;
-use alloc::vec::Vec;
+use crate::contexts::Command;
+use crate::parts::Parts;
+use crate::weights::{CELLS, Weights};
+use goodbot::language::TablesRef;
+use goodbot::symbols::Symbol;
 
 /// The most features kept for all sessions together: 32 MB. For sessions beyond, they are computed again in each pass.
 const MOST_KEPT: usize = 1 << 22;
 
 /// The parts of a session's tasks, and the features of each.
 #[derive(Clone, Debug)]
-pub(super) struct Speaking {
+pub struct Speaking {
     pub parts: Parts,
     /// The different cells of the features.
     cells: Vec<u32>,
@@ -63,7 +61,7 @@ impl Speaking {
         weights: &'s [(u32, f32)],
         ends: &'s [usize],
     ) -> impl Iterator<Item = (&'s [(u32, f32)], &'s mut f32)> {
-        let starts = core::iter::once(0).chain(ends.iter().copied());
+        let starts = std::iter::once(0).chain(ends.iter().copied());
         let of_parts = starts.zip(ends).map(move |(start, &end)| weights.get(start..end).unwrap_or(&[]));
         of_parts.zip(parts.each().map(|(_, number)| number))
     }
@@ -101,7 +99,7 @@ impl Speaking {
 
 /// The features of each training session, by its position.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Found {
+pub struct Found {
     sessions: Vec<Option<Speaking>>,
     weights: usize,
     /// For [`Speaking::of`].
@@ -109,9 +107,6 @@ pub(super) struct Found {
 }
 
 impl Found {
-    /// No features.
-    pub const NONE: Self = Self { sessions: Vec::new(), weights: 0, places: Vec::new() };
-
     /// Takes out a session's features.
     pub fn take(&mut self, session: u16) -> Option<Speaking> {
         let found = self.sessions.get_mut(usize::from(session))?.take()?;

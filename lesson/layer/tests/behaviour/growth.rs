@@ -9,6 +9,7 @@ use goodbot::probability::{Scaled, total};
 use goodbot::random::below;
 use goodbot::symbols::Symbol;
 use goodbot::task::{Marker, Role, RoleKind};
+use goodbot_layer::above;
 use rand_core::SeedableRng;
 use rand_pcg::Pcg32;
 
@@ -275,7 +276,7 @@ fn draw(world: &World, random: &mut Pcg32) -> (Scene, usize, String) {
 fn curve(world: &World, settings: Settings, seed: u64, sizes: &[usize], asked: usize) -> Vec<f32> {
     let mut random = Pcg32::seed_from_u64(seed);
     let capacities = Capacities { states: 64, hashed_states: 0, ..Capacities::STANDARD };
-    let memory = AgentHeap::new(&capacities).with_layer(capacities.pairs * 4);
+    let memory = above(AgentHeap::new(&capacities), capacities.pairs * 4);
     let mut model = LanguageModel::new(memory, settings).unwrap();
     let mut shares = vec![];
     let mut learned = 0;

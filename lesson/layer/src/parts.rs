@@ -1,15 +1,14 @@
 //! The parts of a task: its kind, and each value of what it speaks of or of where that is at the start, with the role.
 
-use super::scenes;
-use crate::symbols::Symbol;
-use crate::task::description::{Group, form, groups};
-use crate::task::role::RoleKind;
-use alloc::collections::BTreeMap;
-use alloc::vec::Vec;
+use crate::scenes;
+use goodbot::symbols::Symbol;
+use goodbot::task::RoleKind;
+use goodbot::task::description::{Group, form, groups};
+use std::collections::BTreeMap;
 
 /// A part of a task.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum Part {
+pub enum Part {
     /// Its kind, by its token.
     Kind(Symbol),
     /// A value in a role, by the role's marker, and whether the role has alternatives: "the red or the blue room".
@@ -17,7 +16,7 @@ pub(super) enum Part {
 }
 
 /// The parts of a task, by its description.
-pub(super) fn of_description(description: &[Symbol]) -> impl Iterator<Item = Part> {
+pub fn of_description(description: &[Symbol]) -> impl Iterator<Item = Part> {
     let speaks = |kind: RoleKind| kind.is_of_task() || kind == RoleKind::Start;
     let values = groups(description)
         .filter(move |group| speaks(group.marker.role.kind()))
@@ -32,7 +31,7 @@ fn has_alternatives(group: &Group<'_>) -> bool {
 
 /// The different parts of a session's tasks, with a number for each.
 #[derive(Clone, Debug)]
-pub(super) struct Parts {
+pub struct Parts {
     all: Vec<Part>,
     numbers: Vec<f32>,
     /// The parts of one task after the other, by position in `all`, and the end of each task's parts.
@@ -70,7 +69,7 @@ impl Parts {
         self.all.iter().copied().zip(&mut self.numbers)
     }
 
-    fn of_task(&self, task: usize) -> core::ops::Range<usize> {
+    fn of_task(&self, task: usize) -> std::ops::Range<usize> {
         let start = task.checked_sub(1).and_then(|before| self.ends.get(before)).copied().unwrap_or(0);
         start..self.ends.get(task).copied().unwrap_or(start)
     }

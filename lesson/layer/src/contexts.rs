@@ -1,12 +1,12 @@
 //! A command as features for the layer: the words that name values, and their contexts.
 
-use super::parts::Part;
-use super::weights::{Context, Roles, of_context, of_kind, of_kind_word, of_roles, of_told};
-use crate::capacity::WORDS_PER_COMMAND;
-use crate::language::roles::names::Names;
-use crate::language::tables::TablesRef;
-use crate::symbols::Symbol;
-use crate::task::role::Marker;
+use crate::parts::Part;
+use crate::weights::{Context, Roles, of_context, of_kind, of_kind_word, of_roles, of_told};
+use goodbot::capacity::WORDS_PER_COMMAND;
+use goodbot::language::TablesRef;
+use goodbot::language::roles::names::Names;
+use goodbot::symbols::Symbol;
+use goodbot::task::Marker;
 use heapless::Vec;
 
 /// A word names a value if it was taken for it in more than this share of the times it was heard.
@@ -20,7 +20,7 @@ const OF_WHOLE_TASK: usize = 2;
 /// The farthest word after a mention that counts for the next one.
 const FARTHEST: usize = 6;
 /// Any mention, as a neighbour of another. No word has this number.
-const ANY_NAME: Symbol = Symbol(u16::MAX - 1);
+const ANY_NAME: Symbol = Symbol::new(u16::MAX - 1);
 
 /// A word that was taken for a value often enough.
 #[derive(Clone, Copy)]
@@ -30,7 +30,7 @@ struct Mention {
 }
 
 /// A command.
-pub(super) struct Command<'s, 't> {
+pub struct Command<'s, 't> {
     words: &'s [Option<Symbol>],
     names: Names<'t>,
     /// Whether the words in names are values.

@@ -1,22 +1,20 @@
 //! The layer's posterior over the tasks of a command.
 
-use super::contexts::Command;
-use super::parts::Parts;
-use super::tables::LayerRef;
-use super::unmet;
-use super::weighed::{Weighed, pool, weigh};
-use super::weights::TRUST;
-use crate::language::tables::TablesRef;
-use crate::probability::{Scaled, total};
-use crate::symbols::Symbol;
-use alloc::vec::Vec;
+use crate::Layered;
+use crate::contexts::Command;
+use crate::parts::Parts;
+use crate::unmet;
+use crate::weighed::{Weighed, pool, weigh};
+use crate::weights::TRUST;
+use goodbot::language::layer::View;
+use goodbot::probability::{Scaled, total};
+use goodbot::symbols::Symbol;
 
-impl LayerRef<'_> {
-    /// Turns the role model's weights of tasks into those of the layer. `same` returns the first task with the same description, and
-    /// `description` returns the description of that one. A layer that has not learned leaves the weights unchanged.
-    pub fn weigh<'d>(
-        self,
-        tables: TablesRef<'_>,
+impl Layered {
+    /// See [`Layer::weigh`](goodbot::language::layer::Layer::weigh).
+    pub fn weigh_tasks<'d>(
+        &self,
+        View { tables, possible, .. }: View<'_>,
         sentence: &[Option<Symbol>],
         same: &dyn Fn(usize) -> usize,
         description: &dyn Fn(usize) -> &'d [Symbol],
@@ -30,7 +28,7 @@ impl LayerRef<'_> {
         let mut alike: Vec<(usize, usize)> = (0..weights.len()).map(|task| (same(task), task)).collect();
         alike.sort_unstable();
         let groups = || alike.chunk_by(|a, b| a.0 == b.0).filter_map(|group| Some((group.first()?.0, group)));
-        let mut parts = Parts::of(groups().map(|(first, _)| description(first)), self.taught);
+        let mut parts = Parts::of(groups().map(|(first, _)| description(first)), &self.taught);
         let command = Command::new(tables, self.learned.said, sentence);
         for (part, number) in parts.each() {
             command.each_weight(part, |cell, times| *number += times * self.weight(cell));
@@ -45,7 +43,7 @@ impl LayerRef<'_> {
         }
         let firsts: Vec<usize> = groups().map(|(first, _)| first).collect();
         let of_position = |position| firsts.get(position).map_or(&[][..], |&first| description(first));
-        unmet::weigh_ways(tables, self.possible, sentence, &of_position, &mut tasks);
+        unmet::weigh_ways(tables, possible, sentence, &of_position, &mut tasks);
         unmet::weigh_impossible(tables, self.learned.new_words, sentence, &mut tasks);
         weigh(&mut tasks, 1.0 + self.weight(TRUST));
         unmet::share_ways(&of_position, &mut tasks);
@@ -62,7 +60,7 @@ impl LayerRef<'_> {
         }
     }
 
-    fn weight(self, cell: usize) -> f32 {
+    fn weight(&self, cell: usize) -> f32 {
         self.weights.get(cell).copied().unwrap_or(0.0)
     }
 }

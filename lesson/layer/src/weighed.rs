@@ -1,6 +1,6 @@
 //! The tasks of a command with their probabilities, and how those of a group are weighed among themselves.
 
-use crate::probability::exp;
+use goodbot::probability::exp;
 
 /// The probability, in equal parts, that is mixed into the role model's posterior.
 const FLOOR: f32 = 0.03;
@@ -9,7 +9,7 @@ const POOLED: f32 = 0.2;
 
 /// A group of tasks that are weighed among themselves, by their kind.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) enum Group {
+pub enum Group {
     /// The kind was meant before.
     #[default]
     Met,
@@ -21,7 +21,7 @@ pub(super) enum Group {
 
 /// A task with its probabilities.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Weighed {
+pub struct Weighed {
     pub group: Group,
     /// The role model's posterior.
     pub understood: f32,
@@ -40,7 +40,7 @@ pub(super) struct Weighed {
 
 /// Weighs the tasks within each group. Nothing was learned for or against a kind that was never meant, so each group keeps the probability
 /// that the role model gives it.
-pub(super) fn weigh(tasks: &mut [Weighed], trust: f32) {
+pub fn weigh(tasks: &mut [Weighed], trust: f32) {
     for group in [Group::Met, Group::Unmet, Group::Impossible] {
         let of_group = |task: &&mut Weighed| task.group == group;
         let (mut count, mut mass) = (0_usize, 0.0_f32);
@@ -82,7 +82,7 @@ pub(super) fn weigh(tasks: &mut [Weighed], trust: f32) {
 }
 
 /// Mixes the role model's posterior into the layer's: a linear pool.
-pub(super) fn pool(tasks: &mut [Weighed]) {
+pub fn pool(tasks: &mut [Weighed]) {
     tasks.iter_mut().for_each(|task| task.believed += POOLED * (task.understood - task.believed));
 }
 

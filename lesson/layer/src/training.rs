@@ -13,18 +13,18 @@
 //! it improbable, and the order of the sessions would decide. After each pass one step pulls every weight towards 0, and a towards 1. The steps get
 //! shorter with each pass.
 //!
+//! Before, the posteriors of each half of the sessions are stored, by a role model that has seen the other half alone.
+//!
 //! The network learns apart, session by session too: to share out what the tasks that were meant in the scene have together. The weights
 //! learn as if there were none.
 
-use super::network::Network;
-use super::scenes;
-use super::speaking::{Found, Speaking};
-use super::tables::Room;
-use super::weighed::{Group, Weighed, weigh};
-use super::weights::{PULLS, TRUST, Weights};
-use crate::language::bitext::BitextRef;
-use crate::language::tables::TablesRef;
-use alloc::vec::Vec;
+use crate::network::Network;
+use crate::scenes;
+use crate::speaking::{Found, Speaking};
+use crate::weighed::{Group, Weighed, weigh};
+use crate::weights::{PULLS, TRUST, Weights};
+use crate::{Layered, tasks_of};
+use goodbot::language::layer::{FOLDS, LeftOut, Step, View};
 
 const PASSES: u8 = 30;
 /// The share of a task's prior that the actions of a session cannot refute, if they leave more than one task.
@@ -32,9 +32,13 @@ const UNREFUTED: f32 = 0.1;
 /// The smallest probability, so that no task is lost for good.
 const LEAST: f32 = 1e-9;
 
-/// The next step in training the layer.
+/// The next part of a training.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Part {
+pub enum Part {
+    /// A role model was trained: find out which words it has heard.
+    Hear,
+    /// The posteriors of sessions by a role model that has not seen them, from this session on.
+    Understand(u16),
     /// Clear the weights.
     Clear,
     /// A pass, from this session on.
@@ -43,53 +47,64 @@ pub(crate) enum Part {
     Done,
 }
 
-impl Room<'_> {
-    /// Does one part. Returns the approximate number of table cells visited, and the next part.
-    pub fn advance(&mut self, tables: TablesRef<'_>, bitext: BitextRef<'_>, part: Part) -> (usize, Part) {
-        match part {
+impl Layered {
+    /// Does one part.
+    pub fn train(&mut self, view: View<'_>) -> Step {
+        let View { tables, bitext, possible } = view;
+        let (cells, next) = match self.next {
+            Part::Hear => (self.hear(tables.words(), bitext), Part::Understand(self.left_out.first().unwrap_or(0))),
+            Part::Understand(session) if usize::from(session) < bitext.sessions() => {
+                (self.understand(view, session), Part::Understand(session.saturating_add(FOLDS as u16)))
+            }
+            Part::Understand(_) => {
+                self.left_out = self.left_out.next();
+                self.next = if self.left_out == LeftOut::NONE { Part::Clear } else { Part::Hear };
+                return Step::RolesAnew;
+            }
             Part::Clear => {
-                let mut weights = Weights::of(self.weights, 0.0);
+                let mut weights = Weights::of(&mut self.weights, 0.0);
                 weights.clear();
-                self.learned.begin(tables.layout(), bitext, self.possible.read());
+                self.learned.begin(tables.layout(), bitext, possible);
                 let is_told = tables.layout().has_names();
-                *self.taught = if is_told { Vec::new() } else { scenes::taught(self.possible.read(), self.shares) };
-                *self.network = Network::new(tables.words(), self.taught.len());
-                *self.found = Found::NONE;
-                (weights.values.len(), Part::Pass(0, 0))
+                self.taught = if is_told { Vec::new() } else { scenes::taught(possible, &self.shares) };
+                self.network = Network::new(tables.words(), self.taught.len());
+                self.found = Found::default();
+                (self.weights.len(), Part::Pass(0, 0))
             }
             Part::Pass(pass, session) if usize::from(session) < bitext.sessions() => {
-                (self.learn_session(tables, bitext, session, pass), Part::Pass(pass, session.saturating_add(1)))
+                (self.learn_session(view, session, pass), Part::Pass(pass, session.saturating_add(1)))
             }
             Part::Pass(pass, _) => {
                 let cells = self.pull(pass);
                 let pass = pass.saturating_add(1);
                 self.learned.done = pass >= PASSES;
                 if self.learned.done {
-                    *self.found = Found::NONE;
+                    self.found = Found::default();
                 }
                 (cells, if self.learned.done { Part::Done } else { Part::Pass(pass, 0) })
             }
-            Part::Done => (0, Part::Done),
-        }
+            Part::Done => return Step::Done,
+        };
+        self.next = next;
+        Step::Working(cells)
     }
 
     /// One step towards the posterior that a session showed.
     #[inline(never)]
-    fn learn_session(&mut self, tables: TablesRef<'_>, bitext: BitextRef<'_>, session: u16, pass: u8) -> usize {
-        let count = self.read().tasks(session);
+    fn learn_session(&mut self, View { tables, bitext, possible }: View<'_>, session: u16, pass: u8) -> usize {
+        let count = tasks_of(possible, session);
         if count == 0 {
             return 1;
         }
-        let possible = self.possible.read();
         let (pairs, first) = (possible.pairs_of(session), possible.pairs().partition_point(|pair| pair.session < session));
         let of_session = first..first.saturating_add(count);
         let (understood, shown) = (self.understood.get(of_session.clone()), self.shares.get(of_session));
         let (understood, shown) = (understood.unwrap_or(&[]), shown.unwrap_or(&[]));
-        let mut weights = Weights::of(self.weights, rate(pass));
+        let mut weights = Weights::of(&mut self.weights, rate(pass));
         let descriptions = || pairs.iter().map(|pair| possible.command(pair.command));
         let (found, places) = (self.found.take(session), &mut self.found.places);
-        let mut speaking =
-            found.unwrap_or_else(|| Speaking::of(tables, self.learned.said, bitext.sentence(session), descriptions(), self.taught, places));
+        let mut speaking = found
+            .unwrap_or_else(|| Speaking::of(tables, self.learned.said, bitext.sentence(session), descriptions(), &self.taught, places));
         speaking.score(&weights);
         let parts = &mut speaking.parts;
         let mut tasks: Vec<Weighed> = Vec::new();
@@ -125,7 +140,7 @@ impl Room<'_> {
 
     /// One step that pulls all weights.
     fn pull(&mut self, pass: u8) -> usize {
-        let mut weights = Weights::of(self.weights, rate(pass));
+        let mut weights = Weights::of(&mut self.weights, rate(pass));
         for (range, pull) in PULLS {
             for cell in range {
                 let value = weights.value(cell);

@@ -1,11 +1,10 @@
 //! Scenes that were taught often. In these, a robot can learn how people speak of each single task. A scene is the set of all tasks that
 //! are possible in it, with their descriptions: the same home, with everything in the same place.
 
-use super::known::hash;
-use crate::language::bitext::BitextRef;
-use crate::symbols::Symbol;
-use alloc::collections::BTreeMap;
-use alloc::vec::Vec;
+use goodbot::language::BitextRef;
+use goodbot::language::layer::hash;
+use goodbot::symbols::Symbol;
+use std::collections::BTreeMap;
 
 /// A scene with this many sessions was taught often.
 const OFTEN: usize = 64;
@@ -14,18 +13,18 @@ const MEANT: usize = 8;
 const MOSTLY: f32 = 0.5;
 
 /// The scene of tasks with these descriptions, in any order: a hash.
-pub(super) fn of<'d>(descriptions: impl Iterator<Item = &'d [Symbol]>) -> u32 {
+pub fn of<'d>(descriptions: impl Iterator<Item = &'d [Symbol]>) -> u32 {
     descriptions.fold(0, |sum, description| sum.wrapping_add(hash(description)))
 }
 
 /// The hash of a task in a scene.
-pub(super) fn task(scene: u32, description: &[Symbol]) -> u32 {
+pub fn task(scene: u32, description: &[Symbol]) -> u32 {
     scene ^ hash(description)
 }
 
 /// The hashes of the tasks that were meant in scenes that were taught often, sorted. `possible` has the tasks of all sessions, and `shares`
 /// the posterior of each.
-pub(super) fn taught(possible: BitextRef<'_>, shares: &[f32]) -> Vec<u32> {
+pub fn taught(possible: BitextRef<'_>, shares: &[f32]) -> Vec<u32> {
     let (mut sessions, mut meant): (BTreeMap<u32, usize>, BTreeMap<(u32, u32), usize>) = (BTreeMap::new(), BTreeMap::new());
     let mut shares = shares.iter();
     for session in 0..possible.sessions() as u16 {

@@ -10,10 +10,9 @@
 //!
 //! So it knows which room was named last, and the effect of "then" or "back". In training, three words of ten are replaced by the unknown word.
 
-use super::weights::{Weights, hashed};
-use crate::probability::exp;
-use crate::symbols::Symbol;
-use alloc::vec::Vec;
+use crate::weights::{Weights, hashed};
+use goodbot::probability::exp;
+use goodbot::symbols::Symbol;
 
 const UNITS: usize = 16;
 /// The tables of a word: a, d, b and f.
@@ -31,7 +30,7 @@ const SQUARES: f32 = 0.1;
 
 /// The weights of the network, and for each the sum of its squared slopes (AdaGrad).
 #[derive(Clone, Debug)]
-pub(super) struct Network {
+pub struct Network {
     words: usize,
     values: Vec<f32>,
     squares: Vec<f32>,
@@ -64,7 +63,7 @@ impl Network {
         let words = words.saturating_add(2);
         let count = words.saturating_mul(TABLES).saturating_add(tasks).saturating_mul(UNITS);
         let small = |at: usize| hashed(1 << 16, [at as u16, (at >> 16) as u16]) as f32 / 655_360.0 - 0.05;
-        Self { words, values: (0..count).map(small).collect(), squares: alloc::vec![SQUARES; count] }
+        Self { words, values: (0..count).map(small).collect(), squares: vec![SQUARES; count] }
     }
 
     /// The numbers of a command's words, each after the one before it.
@@ -162,7 +161,6 @@ fn state(moves: &[(f32, f32)]) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use alloc::vec;
 
     /// The number of pairs without a lesson for which the room named last scores best.
     fn right(passes: u8) -> usize {

@@ -25,17 +25,16 @@
 //! together is 1 - r after a command with a new word, and r after another. After the layer has weighed the tasks, those of these kinds that
 //! have a way divide their common probability as the kinds that were meant do with the same ways.
 
-use super::weighed::{Group, Weighed};
-use crate::language::bitext::BitextRef;
-use crate::language::roles::forward::named;
-use crate::language::roles::kind::Kinds;
-use crate::language::tables::TablesRef;
-use crate::probability::square_root;
-use crate::symbols::Symbol;
-use crate::task::description::{form, groups};
-use crate::task::role::{Role, RoleKind};
-use alloc::collections::BTreeMap;
-use alloc::vec::Vec;
+use crate::weighed::{Group, Weighed};
+use goodbot::language::BitextRef;
+use goodbot::language::TablesRef;
+use goodbot::language::roles::forward::named;
+use goodbot::language::roles::kind::Kinds;
+use goodbot::probability::square_root;
+use goodbot::symbols::Symbol;
+use goodbot::task::description::{form, groups};
+use goodbot::task::{Role, RoleKind};
+use std::collections::BTreeMap;
 
 /// A kind of task in a new scene.
 struct Kind<'d> {
@@ -54,7 +53,7 @@ struct Kind<'d> {
 
 /// Corrects the role model's posterior for kinds that were never meant. `description` returns the description of the task at a position,
 /// and `possible` has the tasks of all sessions.
-pub(super) fn weigh_ways<'d>(
+pub fn weigh_ways<'d>(
     tables: TablesRef<'_>,
     possible: BitextRef<'_>,
     sentence: &[Option<Symbol>],
@@ -131,7 +130,7 @@ pub(super) fn weigh_ways<'d>(
 
 /// Divides the probability between kinds that no session could mean and all others, by whether there is a new word. `new_words` is the
 /// share of sessions with a word that no other has.
-pub(super) fn weigh_impossible(tables: TablesRef<'_>, new_words: f32, sentence: &[Option<Symbol>], tasks: &mut [Weighed]) {
+pub fn weigh_impossible(tables: TablesRef<'_>, new_words: f32, sentence: &[Option<Symbol>], tasks: &mut [Weighed]) {
     let is_impossible = |task: &Weighed| task.group == Group::Impossible;
     let (mut of_these, mut of_others) = (0.0, 0.0);
     for task in &*tasks {
@@ -150,7 +149,7 @@ pub(super) fn weigh_impossible(tables: TablesRef<'_>, new_words: f32, sentence: 
 }
 
 /// Divides the probability of the ways of kinds that no session could mean as it is divided among the same ways of kinds that were meant.
-pub(super) fn share_ways<'d>(description: &dyn Fn(usize) -> &'d [Symbol], tasks: &mut [Weighed]) {
+pub fn share_ways<'d>(description: &dyn Fn(usize) -> &'d [Symbol], tasks: &mut [Weighed]) {
     let mut ways: BTreeMap<Vec<Role>, [f32; 2]> = BTreeMap::new();
     let way = |position: usize| way(description(position)).collect::<Vec<Role>>();
     for (position, task) in tasks.iter().enumerate().filter(|(position, _)| has_way(description(*position))) {
@@ -177,7 +176,7 @@ fn goals(description: &[Symbol]) -> impl Iterator<Item = Role> {
 
 /// The roles of a task's way.
 fn way(description: &[Symbol]) -> impl Iterator<Item = Role> {
-    roles(description, |kind| kind.index() >= RoleKind::WITHOUT_WAYS)
+    roles(description, |kind| matches!(kind, RoleKind::Through | RoleKind::Avoiding | RoleKind::Before))
 }
 
 /// The roles whose kind is wanted, each once.

@@ -1,28 +1,20 @@
 //! The posteriors of a role model that has not seen the session.
 
-use super::tables::{LayerRef, Room};
-use crate::capacity::WORDS_PER_COMMAND;
-use crate::language::bitext::BitextRef;
-use crate::language::roles::whole::said_before;
-use crate::language::roles::{forward, kind};
-use crate::language::tables::TablesRef;
-use crate::probability::{Scaled, total};
-use crate::symbols::Symbol;
-use crate::task::description::form;
-use alloc::vec;
+use crate::{Layered, tasks_of};
+use goodbot::capacity::WORDS_PER_COMMAND;
+use goodbot::language::BitextRef;
+use goodbot::language::layer::View;
+use goodbot::language::roles::whole::said_before;
+use goodbot::language::roles::{forward, kind};
+use goodbot::probability::{Scaled, total};
+use goodbot::symbols::Symbol;
+use goodbot::task::description::form;
 use heapless::Vec;
 
-impl LayerRef<'_> {
-    /// The number of tasks of a session that the layer learns from; 0 if it learns nothing.
-    pub(super) fn tasks(self, session: u16) -> usize {
-        let count = self.possible.pairs_of(session).len();
-        if count < 2 { 0 } else { count }
-    }
-}
-
-impl Room<'_> {
-    /// Finds out which of `words` words the role model in training hears: `bitext` leaves out the others' sessions.
-    pub fn hear(&mut self, words: usize, bitext: BitextRef<'_>) {
+impl Layered {
+    /// Finds out which of `words` words the trained role model has heard: `bitext` leaves out the others' sessions. Returns about the number
+    /// of cells visited.
+    pub fn hear(&mut self, words: usize, bitext: BitextRef<'_>) -> usize {
         self.heard.clear();
         self.heard.resize(words, false);
         for session in (0..bitext.sessions() as u16).filter(|&session| !bitext.leaves_out(session)) {
@@ -32,15 +24,15 @@ impl Room<'_> {
                 }
             }
         }
+        words
     }
 
     /// Stores the posterior over a session's tasks by a role model trained without it, and the posterior that the session showed. `bitext`
     /// leaves out the session and the others of its half. Returns the approximate number of table cells visited.
     #[inline(never)]
-    pub fn understand(&mut self, tables: TablesRef<'_>, bitext: BitextRef<'_>, session: u16) -> usize {
-        let possible = self.possible.read();
+    pub fn understand(&mut self, View { tables, bitext, possible }: View<'_>, session: u16) -> usize {
         let (pairs, shown) = (possible.pairs_of(session), bitext.pairs_of(session));
-        if self.read().tasks(session) == 0 {
+        if tasks_of(possible, session) == 0 {
             return 1;
         }
         let is_heard = |word: Symbol| self.heard.get(word.index()).copied().unwrap_or(false);
@@ -57,7 +49,7 @@ impl Room<'_> {
             *weight = likelihood.scaled_by(said_before(bitext, &sentence, description(task))).scaled_by(prior(task));
             cells = cells.saturating_add(description(task).len().saturating_mul(sentence.len()).saturating_mul(4));
         }
-        kind::weigh(tables, &sentence, |task| form(description(task)).unwrap_or(Symbol(0)), weights);
+        kind::weigh(tables, &sentence, |task| form(description(task)).unwrap_or(Symbol::new(0)), weights);
         kind::dilute(tables, &sentence, prior, weights);
         if weights.iter().all(|weight| weight.is_zero()) {
             weights.iter_mut().enumerate().for_each(|(task, weight)| *weight = Scaled::new(prior(task)));
