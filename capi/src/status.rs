@@ -58,7 +58,7 @@ pub enum GoodbotStatus {
     Buffer = 20,
     /// Anything else.
     Other = 21,
-    /// No action was done that could be judged: call `goodbot_done` for each.
+    /// No action was done that could be judged: call `goodbot_acted` for each.
     NothingDone = 22,
     /// The command is not heard to its end: call `goodbot_hear_on` until it is.
     StillHearing = 23,

@@ -51,7 +51,7 @@ pub(crate) unsafe fn closed<'t>(table: *const c_char) -> Result<ClosedWords<'t>,
 /// A robot without a table of words stops at these words alone.
 const STOP_ALONE: &str = "stop: stop halt emergency";
 
-/// Finds what a person's words ask for, given the session under way, the actions that `goodbot_done` reported, and the open question. It
+/// Finds what a person's words ask for, given the session under way, the actions that `goodbot_acted` reported, and the open question. It
 /// only says so: the caller does it. No lesson is needed, and no button. `answer` receives the answer for `goodbot_answer`, if the words are
 /// one. `closed_words` is the table of the language that is spoken (`docs/talk.md`). Without it, if it is null, "stop", "halt" and "emergency
 /// stop" stop the robot, and everything else is a command, also praise and blame. The function is in a library with the feature `voice`, as

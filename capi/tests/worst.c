@@ -303,7 +303,7 @@ static void act(uint32_t turns) {
         }
         (void)COUNT(DECIDE, goodbot_decide(robot, &action, &plan));
         if (draw(4) == 0) action = (uint8_t)draw(4);
-        (void)COUNT(DONE, goodbot_done(robot, action));
+        (void)COUNT(DONE, goodbot_acted(robot, action));
         (void)COUNT(FEEDBACK, goodbot_feedback(robot, (int32_t)draw(3) - 1, &evidence));
         if (draw(8) == 0) (void)COUNT(DEMONSTRATION, goodbot_demonstration(robot, (uint8_t)draw(4), &evidence));
     }

@@ -26,7 +26,7 @@ const CALLS: [(&str, &str); 46] = [
     ("hear_again", "goodbot_hear_again"),
     ("plan", "goodbot_plan, budget 1"),
     ("decide", "goodbot_decide"),
-    ("done", "goodbot_done"),
+    ("done", "goodbot_acted"),
     ("feedback", "goodbot_feedback"),
     ("trainer_ended", "goodbot_trainer_ended"),
     ("demonstration", "goodbot_demonstration"),
