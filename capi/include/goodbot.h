@@ -25,8 +25,8 @@
      of an object and the budget 1, no call takes more than 62,500 instructions on a Cortex-M4F with any input that a search found;
      docs/footprint.md has the long ones. These do all at once instead, or much of it, so a control loop leaves them to its start, or to moments
      when the robot may wait: goodbot_init_table, goodbot_explain_table, goodbot_least_capacities, goodbot_hear, goodbot_hear_one_of,
-     goodbot_hear_one_of_logs, goodbot_said, goodbot_listen, goodbot_listen_on, goodbot_correct, goodbot_finish, goodbot_home_build,
-     goodbot_join_starter, goodbot_save, goodbot_store, goodbot_restore, goodbot_load, goodbot_save_parameters and
+     goodbot_hear_one_of_logs, goodbot_said with a table of words, goodbot_listen, goodbot_listen_on, goodbot_correct, goodbot_finish,
+     goodbot_home_build, goodbot_join_starter, goodbot_save, goodbot_store, goodbot_restore, goodbot_load, goodbot_save_parameters and
      goodbot_restore_parameters; and goodbot_explain_word, unless goodbot_explain_on was called first. */
 
 #ifndef GOODBOT_H
@@ -298,7 +298,8 @@ enum goodbot_status
   GOODBOT_STATUS_NOTHING_DONE = 22,
   // The command is not heard to its end: call `goodbot_hear_on` until it is.
   GOODBOT_STATUS_STILL_HEARING = 23,
-  // The session is not finished: call `goodbot_finish_on` until it is.
+  // The session is not finished: call `goodbot_finish_on` until it is. A call that ends a session says so too, where the session is half
+  // among those that were learned from.
   GOODBOT_STATUS_STILL_FINISHING = 24,
   // No question waits for an answer.
   GOODBOT_STATUS_NOT_ASKED = 25,
@@ -1200,11 +1201,13 @@ goodbot_status goodbot_finish_on(struct goodbot *robot,
                                  uint32_t budget,
                                  uint32_t *gave_way);
 
-// Ends the session without learning from it.
+// Ends the session without learning from it. It may be called at any time: "stop". `STILL_FINISHING` where it comes too late, because
+// `goodbot_finish_on` has begun to put the session among the others: go on with that.
 //
 // The caller sees to it:
 // `robot` is null or a handle.
-GOODBOT_MUST_USE goodbot_status goodbot_forget(struct goodbot *robot);
+GOODBOT_MUST_USE
+goodbot_status goodbot_forget(struct goodbot *robot);
 
 // Goes on learning, at most about `budget` table cells of work. `WORKING` means: call again.
 //
@@ -1333,8 +1336,8 @@ goodbot_status goodbot_answer(struct goodbot *robot,
 // Finds what a person's words ask for, given the session under way, the actions that `goodbot_acted` reported, and the open question. It
 // only says so: the caller does it. No lesson is needed, and no button. `answer` receives the answer for `goodbot_answer`, if the words are
 // one. `closed_words` is the table of the language that is spoken (`docs/talk.md`). Without it, if it is null, "stop", "halt" and "emergency
-// stop" stop the robot, and everything else is a command, also praise and blame. The function is in a library with the feature `voice`, as
-// in the packages for boards.
+// stop" stop the robot, and everything else is a command, also praise and blame; the call is then short, so a control loop may look for
+// "stop" at any moment. The function is in a library with the feature `voice`, as in the packages for boards.
 //
 // The caller sees to it:
 // `robot` is null or a handle; the texts are null or C strings; `said` and `answer` are null or room for one.

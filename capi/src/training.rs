@@ -78,6 +78,7 @@ pub unsafe extern "C" fn goodbot_trainer(robot: *mut Goodbot, mu_plus: f32, mu_m
     unsafe {
         with(robot, |robot| {
             let strategy = Strategy::new(mu_plus, mu_minus, epsilon).map_err(|_| GoodbotStatus::Number)?;
+            robot.check_not_joining()?;
             Ok(robot.agent.set_strategies(&[(strategy, 1.0)])?)
         })
     }
@@ -133,6 +134,7 @@ pub unsafe extern "C" fn goodbot_trainers(robot: *mut Goodbot, strategies: *cons
                 let strategy = Strategy::new(mu_plus, mu_minus, epsilon).and_then(|strategy| strategy.with_lags(lags)?.with_rests(rests));
                 given.push((strategy.map_err(|_| GoodbotStatus::Number)?, prior)).map_err(|_| GoodbotStatus::Number)?;
             }
+            robot.check_not_joining()?;
             Ok(robot.agent.set_strategies(&given)?)
         })
     }
@@ -242,6 +244,7 @@ pub unsafe extern "C" fn goodbot_begin_hearing(robot: *mut Goodbot, command: *co
     unsafe {
         with(robot, |robot| {
             let command = short_text(command, GOODBOT_MOST_COMMAND_BYTES)?;
+            robot.check_not_joining()?;
             in_world!(&robot.world, |domain, state| Ok(robot.agent.begin_hearing(domain, state, command)?))
         })
     }
@@ -501,7 +504,8 @@ unsafe fn tell(robot: &mut Robot, gave_way: *mut u32, finished: Finished) -> Res
     unsafe { give(gave_way, finished.gave_way.count() as u32) }
 }
 
-/// Ends the session without learning from it.
+/// Ends the session without learning from it. It may be called at any time: "stop". `STILL_FINISHING` where it comes too late, because
+/// `goodbot_finish_on` has begun to put the session among the others: go on with that.
 ///
 /// # Safety
 /// `robot` is null or a handle.
@@ -510,6 +514,7 @@ pub unsafe extern "C" fn goodbot_forget(robot: *mut Goodbot) -> GoodbotStatus {
     // SAFETY: the caller's promise.
     unsafe {
         with(robot, |robot| {
+            robot.check_not_joining()?;
             robot.agent.forget();
             Ok(())
         })

@@ -20,7 +20,7 @@ const TRIALS_OF_A_CHECK: u32 = 12;
 const MOST: u64 = 62_500;
 
 /// Calls of the search, by their names in C.
-const CALLS: [(&str, &str); 46] = [
+const CALLS: [(&str, &str); 47] = [
     ("begin_hearing", "goodbot_begin_hearing"),
     ("hear_on", "goodbot_hear_on, budget 1"),
     ("hear_again", "goodbot_hear_again"),
@@ -66,6 +66,7 @@ const CALLS: [(&str, &str); 46] = [
     ("set_options", "goodbot_set_options"),
     ("explain_on", "goodbot_explain_on, budget 1"),
     ("explain_word", "goodbot_explain_word, read by goodbot_explain_on"),
+    ("said-alone", "goodbot_said, without a table"),
     ("said", "goodbot_said (at once)"),
 ];
 

@@ -9,7 +9,7 @@ use goodbot_capi::memory::*;
 use goodbot_capi::robot::Goodbot;
 use goodbot_capi::status::GoodbotStatus;
 use goodbot_capi::table::description::GoodbotTable;
-use goodbot_capi::training::{goodbot_decide, goodbot_acted, goodbot_forget, goodbot_hear};
+use goodbot_capi::training::{goodbot_acted, goodbot_decide, goodbot_forget, goodbot_hear};
 use robots::{Lift, at_home, describe, hear_and_plan, in_homes, of_table, small};
 use std::ffi::c_void;
 use std::ptr::{null, null_mut};

@@ -139,7 +139,11 @@ fn the_sentences_become_the_robots_own_if_the_end_of_a_lesson_is_broken_off() {
                 assert!(parts > 2, "the end has parts");
                 return;
             }
-            assert_eq!(goodbot_forget(robot.robot), GoodbotStatus::Ok);
+            match goodbot_forget(robot.robot) {
+                // Too late to break it off.
+                GoodbotStatus::StillFinishing => continue,
+                status => assert_eq!(status, GoodbotStatus::Ok),
+            }
         }
         let before = sessions(robot.robot);
         leave(robot.robot);

@@ -5,7 +5,7 @@ use crate::robots;
 use goodbot_capi::beliefs::*;
 use goodbot_capi::capacities::GoodbotCapacity;
 use goodbot_capi::home::*;
-use goodbot_capi::memory::goodbot_size;
+use goodbot_capi::memory::{goodbot_session_count, goodbot_size};
 use goodbot_capi::model::*;
 use goodbot_capi::parameters::{goodbot_restore_parameters, goodbot_save_parameters};
 use goodbot_capi::robot::{goodbot_full, goodbot_seed};
@@ -186,6 +186,39 @@ fn a_description_begun_twice_begins_anew() {
         let mut evidence = 0;
         assert_eq!(goodbot_feedback(owned.robot, GOODBOT_REWARD, &raw mut evidence), GoodbotStatus::NoSession);
     }
+}
+
+#[test]
+fn a_stop_ends_the_session_unlearned_at_any_moment_or_says_that_it_comes_too_late() {
+    let (mut ended, mut too_late) = (0, 0);
+    for parts in 0..1_000 {
+        let owned = at_home();
+        let robot = owned.robot;
+        let mut sessions = 9;
+        hear_and_plan(robot, c"go to the green room");
+        unsafe {
+            assert_eq!(goodbot_begin_finishing(robot), GoodbotStatus::Ok);
+            if (0..parts).any(|_| goodbot_finish_on(robot, 1, null_mut()) == GoodbotStatus::Ok) {
+                assert!(ended > 1 && too_late > 0, "{ended} parts before, {too_late} when it was too late");
+                return;
+            }
+            let status = goodbot_forget(robot);
+            if status == GoodbotStatus::StillFinishing {
+                too_late += 1;
+                assert_eq!(goodbot_begin_hearing(robot, c"go".as_ptr()), GoodbotStatus::StillFinishing);
+                assert_eq!(goodbot_trainer(robot, 0.7, 0.7, 0.1), GoodbotStatus::StillFinishing);
+                assert_eq!(goodbot_home_begin(robot), GoodbotStatus::StillFinishing);
+                while goodbot_finish_on(robot, 1, null_mut()) == GoodbotStatus::Working {}
+            } else {
+                ended += 1;
+                assert_eq!(status, GoodbotStatus::Ok);
+                assert_eq!(goodbot_finish_on(robot, 1, null_mut()), GoodbotStatus::NoSession);
+            }
+            assert_eq!(goodbot_session_count(robot, &raw mut sessions), GoodbotStatus::Ok);
+            assert_eq!(sessions, u32::from(status == GoodbotStatus::StillFinishing), "after {parts} parts");
+        }
+    }
+    panic!("the session does not end");
 }
 
 #[test]

@@ -63,13 +63,18 @@ impl<M: AgentMemory> Agent<M> {
     }
 
     /// As [`hear_one_of`](Self::hear_one_of), where each weight is the natural logarithm of a probability, as many recognisers give it: any
-    /// number, because only differences count, or negative infinity for 0. They may be far apart, because none is rounded to 0.
+    /// number, because only differences count, up to 10,000, or negative infinity for 0. They may be far apart, because none is rounded to 0.
     ///
     /// A recogniser's acoustic scores differ too much to be logarithms of probabilities: multiply them first by its acoustic scale, often 0.1.
     ///
     /// # Errors
     /// As [`hear_one_of`](Self::hear_one_of); [`AgentError::Weight`] if a weight is infinity or not a number.
-    pub fn hear_one_of_logs<D: Domain>(&mut self, domain: &D, state: &D::State, hypotheses: &[Hypothesis<'_>]) -> Result<usize, AgentError> {
+    pub fn hear_one_of_logs<D: Domain>(
+        &mut self,
+        domain: &D,
+        state: &D::State,
+        hypotheses: &[Hypothesis<'_>],
+    ) -> Result<usize, AgentError> {
         check(hypotheses, |weight| weight < f32::INFINITY)?;
         let most = hypotheses.iter().map(|hypothesis| hypothesis.weight).fold(f32::NEG_INFINITY, f32::max);
         self.hear_most_probable(domain, state, hypotheses, |weight| Scaled::exp(weight - most))
