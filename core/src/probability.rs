@@ -30,10 +30,11 @@ impl Scaled {
         }
         let (mut power, mut left) = (Self::ONE, x.max(-10_000.0));
         while left < -PART {
-            power = power.scaled_by(exp(-PART));
+            power = power.scaled_by(libm::expf(-PART));
             left += PART;
         }
-        power.scaled_by(exp(left))
+        // Not by `exp` below: with one more caller it would be compiled larger where it is in every robot.
+        power.scaled_by(libm::expf(left))
     }
 
     /// Normalises the mantissa. Numbers are compared by their bits, as everywhere here: the bits of non-negative f32s have the same order,
