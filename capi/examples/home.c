@@ -58,7 +58,7 @@ static int teach(goodbot *robot, const char *command, int left, int right) {
         if (step(robot, &action)) return 1;
         TRY(goodbot_home_where(robot, "agent0", &x0, &y0));
         int there = is_in(robot, left, right, 4);
-        TRY(goodbot_done(robot, action));
+        TRY(goodbot_acted(robot, action));
         TRY(goodbot_home_where(robot, "agent0", &x1, &y1));
         int door = (left + right) / 2, far0 = x0 > door ? x0 - door : door - x0, far1 = x1 > door ? x1 - door : door - x1;
         int good = there ? action == GOODBOT_NOOP : far1 < far0 || (far1 == far0 && y1 > y0);

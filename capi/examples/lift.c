@@ -62,7 +62,7 @@ static int lesson(goodbot *robot, const char *command, uint32_t from, uint32_t t
         TRY(goodbot_table_state(robot, &floor));
         int right = floor < target ? action == UP : floor > target ? action == DOWN : action == GOODBOT_NOOP;
         rests = floor == target && right ? rests + 1 : 0;
-        TRY(goodbot_done(robot, action));
+        TRY(goodbot_acted(robot, action));
         uint32_t evidence;
         TRY(goodbot_feedback(robot, right ? GOODBOT_REWARD : GOODBOT_PUNISH, &evidence));
         if (evidence != GOODBOT_EVIDENCE_USED) return 1;

@@ -56,7 +56,7 @@ bool lesson(good::robot &robot, const char *command, std::uint32_t from, std::ui
         if (!to_its_end([&] { return robot.plan(10); })) return false;
         auto decided = robot.decide();
         auto floor = robot.state();
-        if (!fine(decided) || !fine(floor) || !fine(robot.done(decided->action))) return false;
+        if (!fine(decided) || !fine(floor) || !fine(robot.acted(decided->action))) return false;
         bool right = decided->action == (*floor < goal ? UP : *floor > goal ? DOWN : GOODBOT_NOOP);
         if (!fine(robot.feedback(right ? good::word::good : good::word::bad))) return false;
         rests = right && *floor == goal ? rests + 1 : 0;

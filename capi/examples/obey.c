@@ -32,7 +32,7 @@ static goodbot_status obey(const char *command) {
         }
         TRY(status);
         TRY(goodbot_decide(robot, &action, NULL));
-        TRY(goodbot_done(robot, action));
+        TRY(goodbot_acted(robot, action));
     } while (action != GOODBOT_NOOP);
     return GOODBOT_STATUS_OK;
 }

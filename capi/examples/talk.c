@@ -51,7 +51,7 @@ static int step(goodbot *robot, uint8_t *action) {
     }
     TRY(status);
     TRY(goodbot_decide(robot, action, NULL));
-    TRY(goodbot_done(robot, *action));
+    TRY(goodbot_acted(robot, *action));
     return 0;
 }
 

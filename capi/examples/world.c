@@ -41,7 +41,7 @@ static int lesson(goodbot *robot, const char *command, uint32_t target) {
         TRY(goodbot_table_state(robot, &state));
         bool right = is_right(state, action, target);
         rests = floor_of(state) == target && right ? rests + 1 : 0;
-        TRY(goodbot_done(robot, action));
+        TRY(goodbot_acted(robot, action));
         TRY(goodbot_feedback(robot, right ? GOODBOT_REWARD : GOODBOT_PUNISH, &evidence));
     }
     TRY(goodbot_finish(robot, NULL));

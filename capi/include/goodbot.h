@@ -7,7 +7,7 @@
      goodbot_home_begin ... goodbot_home_build  the home
      goodbot_hear                               a command: a session begins
        goodbot_plan ..., goodbot_decide         an action; you do it
-       goodbot_done                             it was done; goodbot_home_sense if things are elsewhere than described
+       goodbot_acted                            it was done; goodbot_home_sense if things are elsewhere than described
        goodbot_feedback                         the trainer's feedback to it, until the next action is done
      goodbot_finish, goodbot_learn ...          the session is learned; goodbot_forget if it shall not be
      goodbot_save                               the model as bytes; goodbot_store and goodbot_load for a flash
@@ -21,13 +21,13 @@
    - Nothing is global: robots do not know of each other. One robot is one thread's at a time.
    - No function may be called for a robot while another is under way for it: an interrupt handler sets a flag, the control loop looks at
      it and calls goodbot_feedback. A call from an interrupt or from a function of yours answers GOODBOT_STATUS_BUSY and does nothing.
-   - A function with a budget does about as much work as the budget says and no more. With the preset GOODBOT_OWN, at most eight derived facts
-     of an object and the budget 1, no call takes more than 62,500 instructions on a Cortex-M4F with any input that a search found;
-     docs/footprint.md has the long ones. These do all at once instead, or much of it, so a control loop leaves them to its start, or to moments
-     when the robot may wait: goodbot_init_table, goodbot_explain_table, goodbot_least_capacities, goodbot_hear, goodbot_hear_one_of,
-     goodbot_said, goodbot_listen, goodbot_listen_on, goodbot_correct, goodbot_finish, goodbot_home_build, goodbot_join_starter,
-     goodbot_save, goodbot_store, goodbot_restore, goodbot_load, goodbot_save_parameters and goodbot_restore_parameters; and
-     goodbot_explain_word, unless goodbot_explain_on was called first. */
+   - A function with a budget does about as much work as the budget says and no more. With the preset GOODBOT_OWN, at most eight derived facts of
+     an object and the budget 1, no call takes more than 62,500 instructions on a Cortex-M4F, or 200,000 on a Cortex-M0, with any input that a
+     search found, but goodbot_explain_on may take 125,000; docs/footprint.md has each. These do all at once instead, or much of it, so a control
+     loop leaves them to its start, or to moments when the robot may wait: goodbot_init_table, goodbot_explain_table, goodbot_least_capacities,
+     goodbot_hear, goodbot_hear_one_of, goodbot_hear_one_of_logs, goodbot_said with a table of words, goodbot_listen, goodbot_listen_on,
+     goodbot_correct, goodbot_finish, goodbot_home_build, goodbot_join_starter, goodbot_save, goodbot_store, goodbot_restore, goodbot_load,
+     goodbot_save_parameters and goodbot_restore_parameters; and goodbot_explain_word, unless goodbot_explain_on was called first. */
 
 #ifndef GOODBOT_H
 #define GOODBOT_H
@@ -184,7 +184,7 @@
 #define GOODBOT_EVIDENCE_USED 0
 
 // It says nothing, because no task's right actions are known exactly in that state. The belief is unchanged.
-#define GOODBOT_EVIDENCE_NOTHING 1
+#define GOODBOT_EVIDENCE_UNINFORMATIVE 1
 
 // It is impossible whatever the task and the trainer, and was ignored.
 #define GOODBOT_EVIDENCE_IMPOSSIBLE 2
@@ -294,11 +294,12 @@ enum goodbot_status
   GOODBOT_STATUS_BUFFER = 20,
   // Anything else.
   GOODBOT_STATUS_OTHER = 21,
-  // No action was done that could be judged: call `goodbot_done` for each.
+  // No action was done that could be judged: call `goodbot_acted` for each.
   GOODBOT_STATUS_NOTHING_DONE = 22,
   // The command is not heard to its end: call `goodbot_hear_on` until it is.
   GOODBOT_STATUS_STILL_HEARING = 23,
-  // The session is not finished: call `goodbot_finish_on` until it is.
+  // The session is not finished: call `goodbot_finish_on` until it is. A call that ends a session says so too, where the session is half
+  // among those that were learned from.
   GOODBOT_STATUS_STILL_FINISHING = 24,
   // No question waits for an answer.
   GOODBOT_STATUS_NOT_ASKED = 25,
@@ -679,7 +680,7 @@ typedef struct goodbot_strategy {
 typedef struct goodbot_hypothesis {
   // The command, in UTF-8.
   const char *command;
-  // The recogniser's probability of it, in any unit: a number of 0 or more.
+  // The recogniser's probability of it, in any unit: a number of 0 or more. For `goodbot_hear_one_of_logs` its natural logarithm.
   float weight;
 } goodbot_hypothesis;
 
@@ -1070,6 +1071,17 @@ goodbot_status goodbot_hear_one_of(struct goodbot *robot,
                                    uint32_t count,
                                    uint32_t *chosen);
 
+// As `goodbot_hear_one_of`, where each weight is the natural logarithm of a probability, as many recognisers give it: any number, because
+// only differences count, or negative infinity for 0. Multiply acoustic scores by the recogniser's acoustic scale first, often 0.1.
+//
+// The caller sees to it:
+// As `goodbot_hear_one_of`.
+GOODBOT_MUST_USE
+goodbot_status goodbot_hear_one_of_logs(struct goodbot *robot,
+                                        const struct goodbot_hypothesis *hypotheses,
+                                        uint32_t count,
+                                        uint32_t *chosen);
+
 // Begins to hear a command as `goodbot_hear` does, but in parts: call `goodbot_hear_on` until it is done. The command is copied; one with
 // more than `GOODBOT_MOST_COMMAND_BYTES` is refused with `TEXT`. `goodbot_hear_on` tells that it has no word, too many, or one that is too
 // long. The tasks are known after its first call.
@@ -1114,7 +1126,7 @@ goodbot_status goodbot_decide(struct goodbot *robot,
                               uint8_t *action,
                               uint32_t *plan);
 
-// Takes in the trainer's feedback to the action that was done last (see `goodbot_done`): `GOODBOT_REWARD`, `GOODBOT_PUNISH` or
+// Takes in the trainer's feedback to the action that was done last (see `goodbot_acted`): `GOODBOT_REWARD`, `GOODBOT_PUNISH` or
 // `GOODBOT_NEUTRAL`, if nothing was said to it: that silence says something, too. It may be called at any time until the next action is
 // done, also while the robot plans; of several words the last counts. If it is not called, the action is no evidence. `evidence` receives
 // `GOODBOT_EVIDENCE_USED` and so on.
@@ -1144,7 +1156,7 @@ GOODBOT_MUST_USE
 goodbot_status goodbot_trainer_ended(struct goodbot *robot,
                                      uint32_t *evidence);
 
-// Takes in an action that the trainer did to show the way, and applies it to the current state as `goodbot_done` does. `evidence` receives
+// Takes in an action that the trainer did to show the way, and applies it to the current state as `goodbot_acted` does. `evidence` receives
 // `GOODBOT_EVIDENCE_USED` and so on.
 //
 // The caller sees to it:
@@ -1160,8 +1172,8 @@ goodbot_status goodbot_demonstration(struct goodbot *robot,
 // The caller sees to it:
 // `robot` is null or a handle.
 GOODBOT_MUST_USE
-goodbot_status goodbot_done(struct goodbot *robot,
-                            uint8_t action);
+goodbot_status goodbot_acted(struct goodbot *robot,
+                             uint8_t action);
 
 // Ends the session and begins to learn from it: call `goodbot_learn` until it is done. `gave_way` is null, or receives the number of older
 // sessions that were forgotten because memory was full; `goodbot_full` then names the table to raise.
@@ -1189,11 +1201,13 @@ goodbot_status goodbot_finish_on(struct goodbot *robot,
                                  uint32_t budget,
                                  uint32_t *gave_way);
 
-// Ends the session without learning from it.
+// Ends the session without learning from it. It may be called at any time: "stop". `STILL_FINISHING` where it comes too late, because
+// `goodbot_finish_on` has begun to put the session among the others: go on with that.
 //
 // The caller sees to it:
 // `robot` is null or a handle.
-GOODBOT_MUST_USE goodbot_status goodbot_forget(struct goodbot *robot);
+GOODBOT_MUST_USE
+goodbot_status goodbot_forget(struct goodbot *robot);
 
 // Goes on learning, at most about `budget` table cells of work. `WORKING` means: call again.
 //
@@ -1319,11 +1333,11 @@ goodbot_status goodbot_answer(struct goodbot *robot,
                               int32_t answer,
                               uint32_t *evidence);
 
-// Finds what a person's words ask for, given the session under way, the actions that `goodbot_done` reported, and the open question. It
+// Finds what a person's words ask for, given the session under way, the actions that `goodbot_acted` reported, and the open question. It
 // only says so: the caller does it. No lesson is needed, and no button. `answer` receives the answer for `goodbot_answer`, if the words are
 // one. `closed_words` is the table of the language that is spoken (`docs/talk.md`). Without it, if it is null, "stop", "halt" and "emergency
-// stop" stop the robot, and everything else is a command, also praise and blame. The function is in a library with the feature `voice`, as
-// in the packages for boards.
+// stop" stop the robot, and everything else is a command, also praise and blame; the call is then short, so a control loop may look for
+// "stop" at any moment. The function is in a library with the feature `voice`, as in the packages for boards.
 //
 // The caller sees to it:
 // `robot` is null or a handle; the texts are null or C strings; `said` and `answer` are null or room for one.
@@ -1696,3 +1710,6 @@ GOODBOT_SIZE(goodbot_storing, 128, 256);
 /** Bytes of a robot of the caller's own. */
 #define GOODBOT_SMALL_TABLE_BYTES (GOODBOT_SMALL_BYTES + GOODBOT_TABLE_BYTES)
 #define GOODBOT_TINY_TABLE_BYTES (GOODBOT_TINY_BYTES + GOODBOT_TABLE_BYTES)
+/** Names of the version before, for one release more. */
+#define goodbot_done goodbot_acted
+#define GOODBOT_EVIDENCE_NOTHING GOODBOT_EVIDENCE_UNINFORMATIVE

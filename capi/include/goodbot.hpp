@@ -173,10 +173,12 @@ public:
         decision decided;
         return finish(goodbot_decide(handle_, &decided.action, &decided.plan), decided);
     }
-    outcome<void> done(std::uint8_t action) { return goodbot_done(handle_, action); }
+    outcome<void> acted(std::uint8_t action) { return goodbot_acted(handle_, action); }
+    /** The name of the version before, for one release more. */
+    outcome<void> done(std::uint8_t action) { return acted(action); }
     /** Returns how the word counts as evidence (GOODBOT_EVIDENCE_...). */
     outcome<std::uint32_t> feedback(word said) {
-        std::uint32_t evidence = GOODBOT_EVIDENCE_NOTHING;
+        std::uint32_t evidence = GOODBOT_EVIDENCE_UNINFORMATIVE;
         return finish(goodbot_feedback(handle_, static_cast<std::int32_t>(said), &evidence), evidence);
     }
     /** Returns how many older sessions were forgotten. */

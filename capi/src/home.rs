@@ -211,6 +211,7 @@ pub unsafe extern "C" fn goodbot_home_derived(robot: *mut Goodbot, derived: bool
     // SAFETY: the caller's promise.
     unsafe {
         with(robot, |robot| {
+            robot.check_not_joining()?;
             let (world, status) = match core::mem::replace(&mut robot.world, World::Changing) {
                 World::Here(Either::Floor(home), standing) => {
                     robot.agent.leave();

@@ -103,6 +103,7 @@ pub unsafe extern "C" fn goodbot_set_options(robot: *mut Goodbot, options: *cons
                 _ => return Err(GoodbotStatus::Number.into()),
             };
             let ending = Ending { at_goal: ends_at_goal.into(), elsewhere: ends_elsewhere.into() };
+            robot.check_not_joining()?;
             robot.agent.set_options(Options { telling, drift, ending, weights, least_weight, done, ..*robot.agent.options() })?;
             Ok(GoodbotStatus::Ok)
         })

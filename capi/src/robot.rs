@@ -60,6 +60,13 @@ pub(crate) struct Told {
     pub(crate) silence: bool,
 }
 
+impl Robot {
+    /// Refuses what would end a session that joins the training data: the rest of that would be done at once, which takes a control loop too long.
+    pub(crate) fn check_not_joining(&self) -> Result<(), Failure> {
+        if cfg!(feature = "learning") && self.agent.is_joining() { Err(GoodbotStatus::StillFinishing.into()) } else { Ok(()) }
+    }
+}
+
 #[cfg(feature = "home")]
 impl Robot {
     /// The home's memory, for a new description. The old world is gone, and a session under way with it.
@@ -67,6 +74,7 @@ impl Robot {
         if !matches!(self.world, World::Nothing(_) | World::Plan(_) | World::Here(Either::Floor(_), _)) {
             return Err(GoodbotStatus::World.into());
         }
+        self.check_not_joining()?;
         self.agent.leave();
         match core::mem::replace(&mut self.world, World::Changing) {
             World::Nothing(memory) => Ok(memory),

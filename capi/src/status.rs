@@ -58,11 +58,12 @@ pub enum GoodbotStatus {
     Buffer = 20,
     /// Anything else.
     Other = 21,
-    /// No action was done that could be judged: call `goodbot_done` for each.
+    /// No action was done that could be judged: call `goodbot_acted` for each.
     NothingDone = 22,
     /// The command is not heard to its end: call `goodbot_hear_on` until it is.
     StillHearing = 23,
-    /// The session is not finished: call `goodbot_finish_on` until it is.
+    /// The session is not finished: call `goodbot_finish_on` until it is. A call that ends a session says so too, where the session is half
+    /// among those that were learned from.
     StillFinishing = 24,
     /// No question waits for an answer.
     NotAsked = 25,

@@ -61,7 +61,7 @@ pub const GOODBOT_PLAN_APPROXIMATE: u32 = 4;
 /// The evidence was used.
 pub const GOODBOT_EVIDENCE_USED: u32 = 0;
 /// It says nothing, because no task's right actions are known exactly in that state. The belief is unchanged.
-pub const GOODBOT_EVIDENCE_NOTHING: u32 = 1;
+pub const GOODBOT_EVIDENCE_UNINFORMATIVE: u32 = 1;
 /// It is impossible whatever the task and the trainer, and was ignored.
 pub const GOODBOT_EVIDENCE_IMPOSSIBLE: u32 = 2;
 
@@ -78,6 +78,7 @@ pub unsafe extern "C" fn goodbot_trainer(robot: *mut Goodbot, mu_plus: f32, mu_m
     unsafe {
         with(robot, |robot| {
             let strategy = Strategy::new(mu_plus, mu_minus, epsilon).map_err(|_| GoodbotStatus::Number)?;
+            robot.check_not_joining()?;
             Ok(robot.agent.set_strategies(&[(strategy, 1.0)])?)
         })
     }
@@ -133,6 +134,7 @@ pub unsafe extern "C" fn goodbot_trainers(robot: *mut Goodbot, strategies: *cons
                 let strategy = Strategy::new(mu_plus, mu_minus, epsilon).and_then(|strategy| strategy.with_lags(lags)?.with_rests(rests));
                 given.push((strategy.map_err(|_| GoodbotStatus::Number)?, prior)).map_err(|_| GoodbotStatus::Number)?;
             }
+            robot.check_not_joining()?;
             Ok(robot.agent.set_strategies(&given)?)
         })
     }
@@ -159,7 +161,7 @@ pub unsafe extern "C" fn goodbot_hear(robot: *mut Goodbot, command: *const c_cha
 pub struct GoodbotHypothesis {
     /// The command, in UTF-8.
     pub command: *const c_char,
-    /// The recogniser's probability of it, in any unit: a number of 0 or more.
+    /// The recogniser's probability of it, in any unit: a number of 0 or more. For `goodbot_hear_one_of_logs` its natural logarithm.
     pub weight: f32,
 }
 
@@ -180,6 +182,35 @@ pub unsafe extern "C" fn goodbot_hear_one_of(
     chosen: *mut u32,
 ) -> GoodbotStatus {
     // SAFETY: the caller's promise.
+    unsafe { hear_most_probable(robot, hypotheses, count, chosen, false) }
+}
+
+/// As `goodbot_hear_one_of`, where each weight is the natural logarithm of a probability, as many recognisers give it: any number, because
+/// only differences count, or negative infinity for 0. Multiply acoustic scores by the recogniser's acoustic scale first, often 0.1.
+///
+/// # Safety
+/// As `goodbot_hear_one_of`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn goodbot_hear_one_of_logs(
+    robot: *mut Goodbot,
+    hypotheses: *const GoodbotHypothesis,
+    count: u32,
+    chosen: *mut u32,
+) -> GoodbotStatus {
+    // SAFETY: the caller's promise.
+    unsafe { hear_most_probable(robot, hypotheses, count, chosen, true) }
+}
+
+/// # Safety
+/// As `goodbot_hear_one_of`.
+unsafe fn hear_most_probable(
+    robot: *mut Goodbot,
+    hypotheses: *const GoodbotHypothesis,
+    count: u32,
+    chosen: *mut u32,
+    are_logs: bool,
+) -> GoodbotStatus {
+    // SAFETY: the caller's promise.
     unsafe {
         with(robot, |robot| {
             given(hypotheses)?;
@@ -188,7 +219,11 @@ pub unsafe extern "C" fn goodbot_hear_one_of(
             for &GoodbotHypothesis { command, weight } in core::slice::from_raw_parts(hypotheses, count as usize) {
                 given.push(Hypothesis { command: text(command)?, weight }).map_err(|_| GoodbotStatus::Number)?;
             }
-            let position = in_world!(&robot.world, |domain, state| robot.agent.hear_one_of(domain, state, &given)?);
+            let agent = &mut robot.agent;
+            let position = in_world!(&robot.world, |domain, state| match are_logs {
+                true => agent.hear_one_of_logs(domain, state, &given)?,
+                false => agent.hear_one_of(domain, state, &given)?,
+            });
             give(chosen, position as u32)
         })
     }
@@ -209,6 +244,7 @@ pub unsafe extern "C" fn goodbot_begin_hearing(robot: *mut Goodbot, command: *co
     unsafe {
         with(robot, |robot| {
             let command = short_text(command, GOODBOT_MOST_COMMAND_BYTES)?;
+            robot.check_not_joining()?;
             in_world!(&robot.world, |domain, state| Ok(robot.agent.begin_hearing(domain, state, command)?))
         })
     }
@@ -276,12 +312,12 @@ pub unsafe extern "C" fn goodbot_decide(robot: *mut Goodbot, action: *mut u8, pl
 pub(crate) fn write(evidence: Evidence) -> u32 {
     match evidence {
         Evidence::Used => GOODBOT_EVIDENCE_USED,
-        Evidence::Uninformative => GOODBOT_EVIDENCE_NOTHING,
+        Evidence::Uninformative => GOODBOT_EVIDENCE_UNINFORMATIVE,
         Evidence::Impossible => GOODBOT_EVIDENCE_IMPOSSIBLE,
     }
 }
 
-/// Takes in the trainer's feedback to the action that was done last (see `goodbot_done`): `GOODBOT_REWARD`, `GOODBOT_PUNISH` or
+/// Takes in the trainer's feedback to the action that was done last (see `goodbot_acted`): `GOODBOT_REWARD`, `GOODBOT_PUNISH` or
 /// `GOODBOT_NEUTRAL`, if nothing was said to it: that silence says something, too. It may be called at any time until the next action is
 /// done, also while the robot plans; of several words the last counts. If it is not called, the action is no evidence. `evidence` receives
 /// `GOODBOT_EVIDENCE_USED` and so on.
@@ -351,7 +387,7 @@ pub unsafe extern "C" fn goodbot_trainer_ended(robot: *mut Goodbot, evidence: *m
     }
 }
 
-/// Takes in an action that the trainer did to show the way, and applies it to the current state as `goodbot_done` does. `evidence` receives
+/// Takes in an action that the trainer did to show the way, and applies it to the current state as `goodbot_acted` does. `evidence` receives
 /// `GOODBOT_EVIDENCE_USED` and so on.
 ///
 /// # Safety
@@ -380,7 +416,7 @@ pub unsafe extern "C" fn goodbot_demonstration(robot: *mut Goodbot, action: u8, 
 /// # Safety
 /// `robot` is null or a handle.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn goodbot_done(robot: *mut Goodbot, action: u8) -> GoodbotStatus {
+pub unsafe extern "C" fn goodbot_acted(robot: *mut Goodbot, action: u8) -> GoodbotStatus {
     // SAFETY: the caller's promise.
     unsafe {
         with(robot, |robot| {
@@ -468,7 +504,8 @@ unsafe fn tell(robot: &mut Robot, gave_way: *mut u32, finished: Finished) -> Res
     unsafe { give(gave_way, finished.gave_way.count() as u32) }
 }
 
-/// Ends the session without learning from it.
+/// Ends the session without learning from it. It may be called at any time: "stop". `STILL_FINISHING` where it comes too late, because
+/// `goodbot_finish_on` has begun to put the session among the others: go on with that.
 ///
 /// # Safety
 /// `robot` is null or a handle.
@@ -477,6 +514,7 @@ pub unsafe extern "C" fn goodbot_forget(robot: *mut Goodbot) -> GoodbotStatus {
     // SAFETY: the caller's promise.
     unsafe {
         with(robot, |robot| {
+            robot.check_not_joining()?;
             robot.agent.forget();
             Ok(())
         })

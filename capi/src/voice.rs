@@ -6,7 +6,7 @@ use crate::world::{World, in_world};
 use core::ffi::c_char;
 use goodbot::asking::Answer;
 use goodbot::feedback::Feedback;
-use goodbot::voice::{ClosedWords, Said};
+use goodbot::voice::{ClosedWords, Said, Stage};
 
 /// What words ask the robot to do.
 #[repr(u32)]
@@ -50,12 +50,22 @@ pub(crate) unsafe fn closed<'t>(table: *const c_char) -> Result<ClosedWords<'t>,
 
 /// A robot without a table of words stops at these words alone.
 const STOP_ALONE: &str = "stop: stop halt emergency";
+/// It looks at so many bytes of what was said: they are enough to stop it, and a long text must not keep a control loop waiting.
+const LOOKED_AT: usize = 64;
 
-/// Finds what a person's words ask for, given the session under way, the actions that `goodbot_done` reported, and the open question. It
+/// The whole words among the first bytes.
+fn beginning(words: &str) -> &str {
+    let Some(head) = (words.len() > LOOKED_AT).then(|| (0..=LOOKED_AT).rev().find_map(|end| words.get(..end))).flatten() else {
+        return words;
+    };
+    head.rsplit_once(' ').map_or(head, |(before, _)| before)
+}
+
+/// Finds what a person's words ask for, given the session under way, the actions that `goodbot_acted` reported, and the open question. It
 /// only says so: the caller does it. No lesson is needed, and no button. `answer` receives the answer for `goodbot_answer`, if the words are
 /// one. `closed_words` is the table of the language that is spoken (`docs/talk.md`). Without it, if it is null, "stop", "halt" and "emergency
-/// stop" stop the robot, and everything else is a command, also praise and blame. The function is in a library with the feature `voice`, as
-/// in the packages for boards.
+/// stop" stop the robot, and everything else is a command, also praise and blame; the call is then short, so a control loop may look for
+/// "stop" at any moment. The function is in a library with the feature `voice`, as in the packages for boards.
 ///
 /// # Safety
 /// `robot` is null or a handle; the texts are null or C strings; `said` and `answer` are null or room for one.
@@ -73,7 +83,11 @@ pub unsafe extern "C" fn goodbot_said(
             let (words, closed) = (text(words)?, closed(closed_words)?);
             let closed = if closed_words.is_null() { ClosedWords::new(STOP_ALONE).unwrap_or(closed) } else { closed };
             let agent = &robot.agent;
-            let heard = in_world!(&robot.world, |domain, state| agent.said(words, closed, agent.stage(domain, state), |_| None)?);
+            let heard = in_world!(&robot.world, |domain, state| match closed_words.is_null() {
+                // No answer and no correction can be told from a command, so nothing but the words themselves is looked at.
+                true => agent.said(beginning(words), closed, Stage::Between, |_| None)?,
+                false => agent.said(words, closed, agent.stage(domain, state), |_| None)?,
+            });
             if let Said::Answer(heard) = heard {
                 give(
                     answer,

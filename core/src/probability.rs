@@ -22,6 +22,21 @@ impl Scaled {
         Self { mantissa: value, exponent: 0 }.normalised()
     }
 
+    /// e^x of an x of at most 0, also where no f32 is so small; x is limited to -10,000. Zero for negative infinity and NaN.
+    pub(crate) fn exp(x: f32) -> Self {
+        const PART: f32 = 64.0;
+        if x.is_nan() || x < f32::MIN {
+            return Self::ZERO;
+        }
+        let (mut power, mut left) = (Self::ONE, x.max(-10_000.0));
+        while left < -PART {
+            power = power.scaled_by(libm::expf(-PART));
+            left += PART;
+        }
+        // Not by `exp` below: with one more caller it would be compiled larger where it is in every robot.
+        power.scaled_by(libm::expf(left))
+    }
+
     /// Normalises the mantissa. Numbers are compared by their bits, as everywhere here: the bits of non-negative f32s have the same order,
     /// and a processor without floats compares them fast.
     #[inline(never)]
@@ -185,6 +200,18 @@ mod tests {
         let small = (0..1_000).fold(Scaled::ONE, |product, _| product.scaled_by(0.25));
         let half = (0..1_000).fold(Scaled::ONE, |product, _| product.scaled_by(0.5));
         assert_eq!((small.square_root().over(half), Scaled::ZERO.square_root()), (1.0, Scaled::ZERO));
+    }
+
+    #[test]
+    fn a_power_of_e_may_be_smaller_than_any_f32() {
+        assert_eq!(Scaled::exp(0.0), Scaled::ONE);
+        for x in [-1.0, -64.0, -65.0, -1_000.0, -5_000.0] {
+            let ratio = f64::from(Scaled::exp(x - 1.0).over(Scaled::exp(x)));
+            assert!((ratio * 1_f64.exp() - 1.0).abs() < 1e-5, "{x}: {ratio}");
+        }
+        assert_eq!(Scaled::exp(f32::MIN), Scaled::exp(-10_000.0));
+        assert!(!Scaled::exp(f32::MIN).is_zero());
+        assert_eq!([f32::NEG_INFINITY, f32::NAN].map(Scaled::exp), [Scaled::ZERO; 2]);
     }
 
     #[test]

@@ -5,7 +5,7 @@
 
 use std::time::{Duration, Instant};
 
-use anyhow::{Result, ensure};
+use anyhow::{Context, Result, ensure};
 use clap::Args;
 
 use crate::capi::{M0, M4F, Processor, program_that_calls, search_program};
@@ -18,15 +18,17 @@ const TRIALS: u32 = 40;
 const TRIALS_OF_A_CHECK: u32 = 12;
 /// The most instructions of a call with the smallest budget, as the header promises: a quarter of a tick of 10 ms at 25 MHz.
 const MOST: u64 = 62_500;
+/// The same on a Cortex-M0, which computes floats in software.
+const MOST_ON_M0: u64 = 200_000;
 
 /// Calls of the search, by their names in C.
-const CALLS: [(&str, &str); 46] = [
+const CALLS: [(&str, &str); 47] = [
     ("begin_hearing", "goodbot_begin_hearing"),
     ("hear_on", "goodbot_hear_on, budget 1"),
     ("hear_again", "goodbot_hear_again"),
     ("plan", "goodbot_plan, budget 1"),
     ("decide", "goodbot_decide"),
-    ("done", "goodbot_done"),
+    ("done", "goodbot_acted"),
     ("feedback", "goodbot_feedback"),
     ("trainer_ended", "goodbot_trainer_ended"),
     ("demonstration", "goodbot_demonstration"),
@@ -66,6 +68,7 @@ const CALLS: [(&str, &str); 46] = [
     ("set_options", "goodbot_set_options"),
     ("explain_on", "goodbot_explain_on, budget 1"),
     ("explain_word", "goodbot_explain_word, read by goodbot_explain_on"),
+    ("said-alone", "goodbot_said, without a table"),
     ("said", "goodbot_said (at once)"),
 ];
 
@@ -107,7 +110,9 @@ pub fn run(options: &Options) -> Result<()> {
         rows.push(((*title).to_owned(), [found.instructions, m0.instructions, found.stack, flash]));
     }
     footprint::write_worst(rows.into_iter())?;
-    within(CALLS.iter().zip(found).map(|((_, title), found)| (*title, found.instructions)))
+    let titled = |found: Vec<Found>| CALLS.iter().zip(found).map(|((_, title), found)| (*title, found.instructions));
+    within(titled(found), MOST)?;
+    within(titled(on_m0), MOST_ON_M0).context("on a Cortex-M0")
 }
 
 fn search_on(processor: &Processor, first: u32, until: Instant) -> Result<Vec<Found>> {
@@ -130,14 +135,16 @@ pub fn check() -> Result<()> {
     let found = CALLS.iter().map(|(name, title)| Ok((*title, report.number(name)?))).collect::<Result<Vec<_>>>()?;
     println!("the longest calls of {TRIALS_OF_A_CHECK} worlds:");
     found.iter().for_each(|(title, most)| println!("  {most} {title}"));
-    within(found.into_iter())
+    within(found.into_iter(), MOST)
 }
 
 /// It is an error if a call that a control loop makes was never made, or is too long.
-fn within<'a>(found: impl Iterator<Item = (&'a str, u64)>) -> Result<()> {
+fn within<'a>(found: impl Iterator<Item = (&'a str, u64)>, allowed: u64) -> Result<()> {
     for (title, most) in found {
         ensure!(most > 0, "the search never called {title}");
-        ensure!(most <= MOST || !is_bounded(title), "{title} took {most} instructions, and {MOST} are the most");
+        // A task whose description is not among those of the command is described again in each part.
+        let allowed = if title.starts_with("goodbot_explain_on") { allowed.max(2 * MOST) } else { allowed };
+        ensure!(most <= allowed || !is_bounded(title), "{title} took {most} instructions, and {allowed} are the most");
     }
     Ok(())
 }
@@ -148,9 +155,12 @@ mod tests {
 
     #[test]
     fn a_call_of_a_control_loop_that_is_too_long_or_was_never_made_is_told() {
-        assert!(within([("goodbot_plan", MOST), ("goodbot_said (at once)", MOST + 1)].into_iter()).is_ok());
-        assert!(within([("goodbot_plan", MOST + 1)].into_iter()).is_err());
-        assert!(within([("goodbot_said (at once)", 0)].into_iter()).is_err());
+        assert!(within([("goodbot_plan", MOST), ("goodbot_said (at once)", MOST + 1)].into_iter(), MOST).is_ok());
+        assert!(within([("goodbot_plan", MOST + 1)].into_iter(), MOST).is_err());
+        assert!(within([("goodbot_explain_on, budget 1", 2 * MOST)].into_iter(), MOST).is_ok());
+        assert!(within([("goodbot_explain_on, budget 1", 2 * MOST + 1)].into_iter(), MOST).is_err());
+        assert!(within([("goodbot_plan", MOST + 1)].into_iter(), MOST_ON_M0).is_ok());
+        assert!(within([("goodbot_said (at once)", 0)].into_iter(), MOST).is_err());
     }
 
     #[test]

@@ -101,4 +101,19 @@ mod tests {
         let advice = "write capi/include/goodbot.h again with `cargo xtask capi`; where a program that was compiled before would go wrong, raise GOODBOT_API_VERSION";
         assert!(kept.trim_end() == header().unwrap().trim_end(), "{advice}");
     }
+
+    #[test]
+    fn each_name_of_the_version_before_stands_for_one_of_this_version() {
+        let header = std::fs::read_to_string(capi().join("include/goodbot.h")).unwrap();
+        let (now, old) = header.split_once("/** Names of the version before").unwrap();
+        let names = old.lines().filter_map(|line| line.strip_prefix("#define ")?.split_once(' '));
+        let is_declared = |name| [format!("#define {name} "), format!("goodbot_status {name}(")].iter().any(|text| now.contains(text));
+        let [mut done, mut evidence] = [false; 2];
+        for (old, name) in names {
+            assert!(is_declared(name) && !is_declared(old), "{old} is {name}");
+            done |= old == "goodbot_done";
+            evidence |= old == "GOODBOT_EVIDENCE_NOTHING";
+        }
+        assert!(done && evidence);
+    }
 }

@@ -76,7 +76,7 @@ unsafe fn lesson(robot: *mut Goodbot, command: &CStr, from: Picker, bin: usize, 
             let before = Picker::of(state).missing(bin, shelf);
             while goodbot_plan(robot, 1_000) == GoodbotStatus::Working {}
             assert_eq!(goodbot_decide(robot, &raw mut action, null_mut()), GoodbotStatus::Ok);
-            assert_eq!(goodbot_done(robot, action), GoodbotStatus::Ok);
+            assert_eq!(goodbot_acted(robot, action), GoodbotStatus::Ok);
             assert_eq!(goodbot_table_state(robot, &raw mut state), GoodbotStatus::Ok);
             let is_rest = before == 0 && action == GOODBOT_NOOP;
             let is_good = is_rest || Picker::of(state).missing(bin, shelf) < before;

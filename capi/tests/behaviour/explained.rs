@@ -156,7 +156,7 @@ fn sessions_are_counted_and_tables_say_how_full_they_are() {
     unsafe {
         let mut action = 0;
         assert_eq!(goodbot_decide(owned.robot, &raw mut action, null_mut()), GoodbotStatus::Ok);
-        assert_eq!(goodbot_done(owned.robot, action), GoodbotStatus::Ok);
+        assert_eq!(goodbot_acted(owned.robot, action), GoodbotStatus::Ok);
         assert_eq!(goodbot_finish(owned.robot, null_mut()), GoodbotStatus::Ok);
         while goodbot_learn(owned.robot, 1_000) == GoodbotStatus::Working {}
     }
@@ -181,7 +181,7 @@ fn a_command_is_heard_again_only_where_the_session_began() {
         hear_and_plan(owned.robot, c"go to the green room");
         let mut action = 0;
         assert_eq!(goodbot_decide(owned.robot, &raw mut action, null_mut()), GoodbotStatus::Ok);
-        assert_eq!(goodbot_done(owned.robot, action), GoodbotStatus::Ok);
+        assert_eq!(goodbot_acted(owned.robot, action), GoodbotStatus::Ok);
         assert_eq!(goodbot_hear_again(owned.robot), GoodbotStatus::NoSession);
         assert_eq!(goodbot_capi::home::goodbot_home_place(owned.robot, c"agent0".as_ptr(), 4, 2), GoodbotStatus::Ok);
         assert_eq!(goodbot_hear_again(owned.robot), GoodbotStatus::Ok);

@@ -9,7 +9,7 @@ use goodbot_capi::memory::*;
 use goodbot_capi::robot::Goodbot;
 use goodbot_capi::status::GoodbotStatus;
 use goodbot_capi::table::description::GoodbotTable;
-use goodbot_capi::training::{goodbot_decide, goodbot_done, goodbot_forget, goodbot_hear};
+use goodbot_capi::training::{goodbot_acted, goodbot_decide, goodbot_forget, goodbot_hear};
 use robots::{Lift, at_home, describe, hear_and_plan, in_homes, of_table, small};
 use std::ffi::c_void;
 use std::ptr::{null, null_mut};
@@ -142,7 +142,7 @@ fn a_call_from_the_callers_own_function_is_told_that_the_robot_is_busy() {
     let (mut action, mut count) = (9, 0);
     assert_eq!(unsafe { goodbot_decide(owned.robot, &raw mut action, null_mut()) }, GoodbotStatus::Ok);
     // The session was not forgotten.
-    assert_eq!(unsafe { goodbot_done(owned.robot, action) }, GoodbotStatus::Ok);
+    assert_eq!(unsafe { goodbot_acted(owned.robot, action) }, GoodbotStatus::Ok);
     assert!(!caller.answers.is_empty());
     assert!(caller.answers.iter().all(|&answer| answer == GoodbotStatus::Busy), "{:?}", caller.answers);
     assert_eq!(unsafe { goodbot_session_count(owned.robot, &raw mut count) }, GoodbotStatus::Ok);

@@ -28,7 +28,7 @@ fn ended(robot: *mut Goodbot) -> u32 {
     let (mut action, mut evidence) = (0, 0);
     unsafe {
         assert_eq!(goodbot_decide(robot, &raw mut action, null_mut()), GoodbotStatus::Ok);
-        assert_eq!(goodbot_done(robot, action), GoodbotStatus::Ok);
+        assert_eq!(goodbot_acted(robot, action), GoodbotStatus::Ok);
         assert_eq!(goodbot_trainer_ended(robot, &raw mut evidence), GoodbotStatus::NotPlanned);
         while goodbot_plan(robot, 50) == GoodbotStatus::Working {}
         assert_eq!(goodbot_trainer_ended(robot, &raw mut evidence), GoodbotStatus::Ok);
@@ -43,7 +43,7 @@ fn the_end_of_a_session_is_evidence_where_the_options_say_so() {
     let owned = at_home();
     let first = options(owned.robot);
     assert_eq!((first.telling, first.drift, first.weights), (true, 0.0, GOODBOT_WEIGHTS_PAPER));
-    assert_eq!(ended(owned.robot), GOODBOT_EVIDENCE_NOTHING);
+    assert_eq!(ended(owned.robot), GOODBOT_EVIDENCE_UNINFORMATIVE);
     let (ends_at_goal, ends_elsewhere) = (hazard(0.1), hazard(0.02));
     let given = GoodbotOptions { ends_at_goal, ends_elsewhere, drift: 0.1, weights: GOODBOT_WEIGHTS_EVIDENCE, ..first };
     assert_eq!(unsafe { goodbot_set_options(owned.robot, &raw const given) }, GoodbotStatus::Ok);

@@ -138,7 +138,7 @@ unsafe fn taught(
             if walk.kind == Kind::Demonstration {
                 ok(goodbot_demonstration(robot, action, &raw mut evidence));
             } else {
-                ok(goodbot_done(robot, action));
+                ok(goodbot_acted(robot, action));
                 ok(goodbot_feedback(robot, word(step.feedback), &raw mut evidence));
             }
             all.push(beliefs(robot));

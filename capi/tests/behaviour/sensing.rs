@@ -64,13 +64,13 @@ fn a_lesson_goes_on_from_where_a_push_left_things() {
     unsafe {
         let (mut action, mut evidence) = (0, 0);
         assert_eq!(goodbot_decide(robot, &raw mut action, null_mut()), GoodbotStatus::Ok);
-        assert_eq!(goodbot_done(robot, action), GoodbotStatus::Ok);
+        assert_eq!(goodbot_acted(robot, action), GoodbotStatus::Ok);
         // The wheels slipped, and somebody took the block away.
         assert_eq!(sense(robot, &[sensed(c"agent0", 4, 2), sensed(c"block0", 1, 1)]), GoodbotStatus::Ok);
         assert_eq!(goodbot_feedback(robot, GOODBOT_REWARD, &raw mut evidence), GoodbotStatus::Ok);
         while goodbot_plan(robot, 50) == GoodbotStatus::Working {}
         assert_eq!(goodbot_decide(robot, &raw mut action, null_mut()), GoodbotStatus::Ok);
-        assert_eq!(goodbot_done(robot, action), GoodbotStatus::Ok);
+        assert_eq!(goodbot_acted(robot, action), GoodbotStatus::Ok);
         assert_eq!(goodbot_finish(robot, null_mut()), GoodbotStatus::Ok);
     }
 }

@@ -17,7 +17,7 @@ use std::ptr::{null, null_mut};
 fn lesson(robot: *mut Goodbot, command: &CStr) -> GoodbotStatus {
     hear_and_plan(robot, command);
     unsafe {
-        assert_eq!(goodbot_done(robot, GOODBOT_NOOP), GoodbotStatus::Ok);
+        assert_eq!(goodbot_acted(robot, GOODBOT_NOOP), GoodbotStatus::Ok);
         assert_eq!(goodbot_feedback(robot, GOODBOT_PUNISH, &mut 0), GoodbotStatus::Ok);
         let finished = goodbot_finish(robot, null_mut());
         learn(robot);
@@ -132,14 +132,18 @@ fn the_sentences_become_the_robots_own_if_the_end_of_a_lesson_is_broken_off() {
         assert_eq!(lesson(robot.robot, c"go to the green room"), GoodbotStatus::Ok);
         hear_and_plan(robot.robot, c"nine b");
         unsafe {
-            assert_eq!(goodbot_done(robot.robot, GOODBOT_NOOP), GoodbotStatus::Ok);
+            assert_eq!(goodbot_acted(robot.robot, GOODBOT_NOOP), GoodbotStatus::Ok);
             assert_eq!(goodbot_feedback(robot.robot, GOODBOT_PUNISH, &mut 0), GoodbotStatus::Ok);
             assert_eq!(goodbot_begin_finishing(robot.robot), GoodbotStatus::Ok);
             if (0..parts).any(|_| goodbot_finish_on(robot.robot, 1, null_mut()) == GoodbotStatus::Ok) {
                 assert!(parts > 2, "the end has parts");
                 return;
             }
-            assert_eq!(goodbot_forget(robot.robot), GoodbotStatus::Ok);
+            match goodbot_forget(robot.robot) {
+                // Too late to break it off.
+                GoodbotStatus::StillFinishing => continue,
+                status => assert_eq!(status, GoodbotStatus::Ok),
+            }
         }
         let before = sessions(robot.robot);
         leave(robot.robot);

@@ -5,7 +5,7 @@ use crate::robots;
 use goodbot_capi::beliefs::*;
 use goodbot_capi::capacities::GoodbotCapacity;
 use goodbot_capi::home::*;
-use goodbot_capi::memory::goodbot_size;
+use goodbot_capi::memory::{goodbot_session_count, goodbot_size};
 use goodbot_capi::model::*;
 use goodbot_capi::parameters::{goodbot_restore_parameters, goodbot_save_parameters};
 use goodbot_capi::robot::{goodbot_full, goodbot_seed};
@@ -69,7 +69,7 @@ fn every_function_refuses_a_null_handle() {
             goodbot_decide(nobody, &raw mut action, null_mut()),
             goodbot_feedback(nobody, GOODBOT_REWARD, &raw mut number),
             goodbot_demonstration(nobody, 0, &raw mut number),
-            goodbot_done(nobody, 0),
+            goodbot_acted(nobody, 0),
             goodbot_finish(nobody, null_mut()),
             goodbot_forget(nobody),
             goodbot_learn(nobody, 1),
@@ -147,7 +147,7 @@ fn nothing_can_be_done_before_there_is_a_home() {
         assert_eq!(goodbot_home_build(robot), GoodbotStatus::NoWorld);
         assert_eq!(goodbot_hear(robot, c"go".as_ptr()), GoodbotStatus::NoWorld);
         assert_eq!(goodbot_plan(robot, 1), GoodbotStatus::NoWorld);
-        assert_eq!(goodbot_done(robot, 0), GoodbotStatus::NoWorld);
+        assert_eq!(goodbot_acted(robot, 0), GoodbotStatus::NoWorld);
         assert_eq!(goodbot_home_place(robot, c"agent0".as_ptr(), 1, 1), GoodbotStatus::NoWorld);
         assert_eq!(goodbot_home_begin(robot), GoodbotStatus::Ok);
         assert_eq!(goodbot_finish(robot, null_mut()), GoodbotStatus::NoWorld);
@@ -189,6 +189,39 @@ fn a_description_begun_twice_begins_anew() {
 }
 
 #[test]
+fn a_stop_ends_the_session_unlearned_at_any_moment_or_says_that_it_comes_too_late() {
+    let (mut ended, mut too_late) = (0, 0);
+    for parts in 0..1_000 {
+        let owned = at_home();
+        let robot = owned.robot;
+        let mut sessions = 9;
+        hear_and_plan(robot, c"go to the green room");
+        unsafe {
+            assert_eq!(goodbot_begin_finishing(robot), GoodbotStatus::Ok);
+            if (0..parts).any(|_| goodbot_finish_on(robot, 1, null_mut()) == GoodbotStatus::Ok) {
+                assert!(ended > 1 && too_late > 0, "{ended} parts before, {too_late} when it was too late");
+                return;
+            }
+            let status = goodbot_forget(robot);
+            if status == GoodbotStatus::StillFinishing {
+                too_late += 1;
+                assert_eq!(goodbot_begin_hearing(robot, c"go".as_ptr()), GoodbotStatus::StillFinishing);
+                assert_eq!(goodbot_trainer(robot, 0.7, 0.7, 0.1), GoodbotStatus::StillFinishing);
+                assert_eq!(goodbot_home_begin(robot), GoodbotStatus::StillFinishing);
+                while goodbot_finish_on(robot, 1, null_mut()) == GoodbotStatus::Working {}
+            } else {
+                ended += 1;
+                assert_eq!(status, GoodbotStatus::Ok);
+                assert_eq!(goodbot_finish_on(robot, 1, null_mut()), GoodbotStatus::NoSession);
+            }
+            assert_eq!(goodbot_session_count(robot, &raw mut sessions), GoodbotStatus::Ok);
+            assert_eq!(sessions, u32::from(status == GoodbotStatus::StillFinishing), "after {parts} parts");
+        }
+    }
+    panic!("the session does not end");
+}
+
+#[test]
 fn a_session_is_led_in_its_order_and_every_step_out_of_it_is_named() {
     let owned = at_home();
     let robot = owned.robot;
@@ -200,18 +233,18 @@ fn a_session_is_led_in_its_order_and_every_step_out_of_it_is_named() {
         assert_eq!(goodbot_hear(robot, c" , ".as_ptr()), GoodbotStatus::EmptyCommand);
         assert_eq!(goodbot_hear(robot, c"go to the green room".as_ptr()), GoodbotStatus::Ok);
         assert_eq!(goodbot_decide(robot, &raw mut action, null_mut()), GoodbotStatus::NotPlanned);
-        assert_eq!(goodbot_done(robot, 0), GoodbotStatus::NotPlanned);
+        assert_eq!(goodbot_acted(robot, 0), GoodbotStatus::NotPlanned);
         hear_and_plan(robot, c"go to the green room");
         assert_eq!(goodbot_feedback(robot, 2, &raw mut evidence), GoodbotStatus::Number);
         assert_eq!(goodbot_feedback(robot, GOODBOT_REWARD, &raw mut evidence), GoodbotStatus::NothingDone);
         for action in [4, 14, 16, 200, 255] {
             assert_eq!(goodbot_demonstration(robot, action, &raw mut evidence), GoodbotStatus::NotApplicable);
-            assert_eq!(goodbot_done(robot, action), GoodbotStatus::NotApplicable);
+            assert_eq!(goodbot_acted(robot, action), GoodbotStatus::NotApplicable);
         }
         let mut plan = 9;
         assert_eq!(goodbot_decide(robot, &raw mut action, &raw mut plan), GoodbotStatus::Ok);
         assert_eq!(plan, GOODBOT_PLAN_TOWARD);
-        assert_eq!(goodbot_done(robot, action), GoodbotStatus::Ok);
+        assert_eq!(goodbot_acted(robot, action), GoodbotStatus::Ok);
         assert_eq!(goodbot_decide(robot, &raw mut action, &raw mut plan), GoodbotStatus::NotPlanned);
         assert_eq!(goodbot_feedback(robot, GOODBOT_REWARD, &raw mut evidence), GoodbotStatus::Ok);
         assert_eq!(evidence, GOODBOT_EVIDENCE_USED);
@@ -316,7 +349,7 @@ fn a_model_is_taken_over_whole_or_not_at_all() {
     let (robot, mut bytes, mut written) = (owned.robot, 0, 0);
     hear_and_plan(robot, c"go to the green room");
     unsafe {
-        assert_eq!(goodbot_done(robot, 0), GoodbotStatus::Ok);
+        assert_eq!(goodbot_acted(robot, 0), GoodbotStatus::Ok);
         let mut evidence = 9;
         assert_eq!(goodbot_feedback(robot, GOODBOT_REWARD, &raw mut evidence), GoodbotStatus::Ok);
         assert_eq!(evidence, GOODBOT_EVIDENCE_USED);
@@ -354,7 +387,7 @@ fn parameters_are_taken_over_whole_or_not_at_all() {
         probability.to_bits()
     };
     unsafe {
-        assert_eq!(goodbot_done(robot, 0), GoodbotStatus::Ok);
+        assert_eq!(goodbot_acted(robot, 0), GoodbotStatus::Ok);
         let mut evidence = 9;
         assert_eq!(goodbot_feedback(robot, GOODBOT_REWARD, &raw mut evidence), GoodbotStatus::Ok);
         assert_eq!(goodbot_finish(robot, null_mut()), GoodbotStatus::Ok);
@@ -438,7 +471,7 @@ fn states_out_of_a_table_s_range_are_refused() {
     unsafe {
         hear_and_plan(owned.robot, c"to the roof");
         *context.cast::<bool>() = true;
-        assert_eq!(goodbot_done(owned.robot, 0), GoodbotStatus::NotApplicable);
+        assert_eq!(goodbot_acted(owned.robot, 0), GoodbotStatus::NotApplicable);
         let mut state = 9;
         assert_eq!(goodbot_table_state(owned.robot, &raw mut state), GoodbotStatus::Ok);
         assert_eq!(state, 0);

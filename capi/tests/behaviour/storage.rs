@@ -77,7 +77,7 @@ fn learn(robot: *mut Goodbot, command: &CStr) {
         hear_and_plan(robot, command);
         let mut action = 0;
         assert_eq!(goodbot_decide(robot, &raw mut action, null_mut()), GoodbotStatus::Ok);
-        assert_eq!(goodbot_done(robot, action), GoodbotStatus::Ok);
+        assert_eq!(goodbot_acted(robot, action), GoodbotStatus::Ok);
         assert_eq!(goodbot_finish(robot, null_mut()), GoodbotStatus::Ok);
         while goodbot_learn(robot, 1_000) == GoodbotStatus::Working {}
     }
@@ -293,7 +293,7 @@ fn what_cannot_be_stored_or_loaded_says_why() {
         hear_and_plan(robot, c"go to the green room");
         let mut action = 0;
         assert_eq!(goodbot_decide(robot, &raw mut action, null_mut()), GoodbotStatus::Ok);
-        assert_eq!(goodbot_done(robot, action), GoodbotStatus::Ok);
+        assert_eq!(goodbot_acted(robot, action), GoodbotStatus::Ok);
         assert_eq!(goodbot_finish(robot, null_mut()), GoodbotStatus::Ok);
         assert_eq!(goodbot_store(robot, &good, null_mut()), GoodbotStatus::StillLearning);
     }
@@ -328,7 +328,7 @@ fn an_update_that_adds_propositions_and_attributes_keeps_the_lessons() {
             assert_eq!(goodbot_table_set_state(before.robot, 0), GoodbotStatus::Ok);
             hear_and_plan(before.robot, command);
             assert_eq!(goodbot_decide(before.robot, &raw mut action, null_mut()), GoodbotStatus::Ok);
-            assert_eq!(goodbot_done(before.robot, action), GoodbotStatus::Ok);
+            assert_eq!(goodbot_acted(before.robot, action), GoodbotStatus::Ok);
             assert_eq!(goodbot_feedback(before.robot, GOODBOT_REWARD, &raw mut evidence), GoodbotStatus::Ok);
             assert_eq!(goodbot_finish(before.robot, null_mut()), GoodbotStatus::Ok);
             while goodbot_learn(before.robot, 1_000) == GoodbotStatus::Working {}

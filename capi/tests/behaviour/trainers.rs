@@ -25,7 +25,7 @@ fn a_trainer_can_be_one_of_several() {
         hear_and_plan(owned.robot, c"go to the green room");
         let (mut action, mut evidence) = (0, 0);
         assert_eq!(goodbot_decide(owned.robot, &raw mut action, null_mut()), GoodbotStatus::Ok);
-        assert_eq!(goodbot_done(owned.robot, action), GoodbotStatus::Ok);
+        assert_eq!(goodbot_acted(owned.robot, action), GoodbotStatus::Ok);
         assert_eq!(goodbot_feedback(owned.robot, GOODBOT_REWARD, &raw mut evidence), GoodbotStatus::Ok);
         assert_eq!(goodbot_finish(owned.robot, null_mut()), GoodbotStatus::Ok);
     }
@@ -130,7 +130,7 @@ unsafe fn lesson(robot: *mut Goodbot, command: &CStr, station: usize, start: u32
             while goodbot_plan(robot, 100) == GoodbotStatus::Working {}
             ok(goodbot_decide(robot, &raw mut action, null_mut()));
             ok(goodbot_table_state(robot, &raw mut before));
-            ok(goodbot_done(robot, action));
+            ok(goodbot_acted(robot, action));
             ok(goodbot_table_state(robot, &raw mut after));
             let rests_there = before == goal && action == GOODBOT_NOOP;
             let right = rests_there || distance(after) < distance(before);
@@ -200,7 +200,7 @@ fn a_program_that_never_tells_silence_gets_a_remark() {
         let (mut action, mut evidence) = (0, 0);
         while goodbot_plan(robot, 100) == GoodbotStatus::Working {}
         assert_eq!(goodbot_decide(robot, &raw mut action, null_mut()), GoodbotStatus::Ok);
-        assert_eq!(goodbot_done(robot, action), GoodbotStatus::Ok);
+        assert_eq!(goodbot_acted(robot, action), GoodbotStatus::Ok);
         if let Some(word) = word {
             assert_eq!(goodbot_feedback(robot, word, &raw mut evidence), GoodbotStatus::Ok);
         }

@@ -188,7 +188,7 @@ unsafe fn lesson(robot: *mut Goodbot, command: &CStr, task: (u32, u32)) -> u32 {
             } else {
                 now.after(action).is_some_and(|next| next.missing(task) < now.missing(task))
             };
-            ok(goodbot_done(robot, action));
+            ok(goodbot_acted(robot, action));
             ok(goodbot_feedback(robot, if good { GOODBOT_REWARD } else { GOODBOT_PUNISH }, &raw mut evidence));
             if is_there && good {
                 break;

@@ -12,7 +12,7 @@ use goodbot_capi::training::*;
 use goodbot_capi::voice::{GoodbotSaid, goodbot_said};
 use goodbot_capi::words::{goodbot_explain_on, goodbot_explain_word};
 use robots::{Lift, Owned, hear_and_plan, in_homes, of_table, small};
-use std::ffi::{CStr, c_char, c_void};
+use std::ffi::{CStr, CString, c_char, c_void};
 use std::ptr::{null, null_mut};
 
 /// A red room below, and two green rooms above it.
@@ -269,6 +269,15 @@ fn stop_is_known_without_a_table_and_nothing_else_is() {
     for words in [c"stop", c"Stop!", c"halt", c"emergency stop"] {
         assert_eq!(said(words, null()), GoodbotSaid::Stop, "{words:?}");
     }
+    // The beginning of a long text decides, and it ends between two words, and between two letters.
+    for (words, meant) in [
+        ("stop ".repeat(200), GoodbotSaid::Stop),
+        ("go ".repeat(200) + "stop", GoodbotSaid::Command),
+        ("\u{e4} ".repeat(100), GoodbotSaid::Command),
+        (" \u{e4}".repeat(100), GoodbotSaid::Command),
+    ] {
+        assert_eq!(said(&CString::new(words.as_str()).unwrap(), null()), meant, "{words}");
+    }
     for words in [c"stop at the red room", c"well done", c"do not move"] {
         assert_eq!(said(words, null()), GoodbotSaid::Command, "{words:?}");
     }
@@ -276,4 +285,15 @@ fn stop_is_known_without_a_table_and_nothing_else_is() {
     assert_eq!(said(c"do not move", table.as_ptr()), GoodbotSaid::Stop);
     assert_eq!(said(c"do not move the bag", table.as_ptr()), GoodbotSaid::Command);
     assert_eq!(said(c"stop", table.as_ptr()), GoodbotSaid::Command, "the table says which words stop");
+    unsafe {
+        for command in [c"go to the green room", c"go to the red room"] {
+            assert_eq!(goodbot_hear(owned.robot, command.as_ptr()), GoodbotStatus::Ok);
+            assert_eq!(goodbot_finish(owned.robot, null_mut()), GoodbotStatus::Ok);
+            while goodbot_learn(owned.robot, 1_000) == GoodbotStatus::Working {}
+        }
+    }
+    robots::hear_and_plan(owned.robot, c"go to the red room");
+    for (words, meant) in [(c"the green room", GoodbotSaid::Command), (c"no", GoodbotSaid::Command), (c"stop", GoodbotSaid::Stop)] {
+        assert_eq!(said(words, null()), meant, "{words:?} on the way");
+    }
 }

@@ -66,8 +66,8 @@ pub enum AgentError {
     /// The priors of all tasks are 0.
     #[error("every task's prior is 0; give one of them more")]
     NoPrior,
-    /// The weight of a transcript is negative or not a number.
-    #[error("the weight of transcript {hypothesis} is {}; it must be a number of 0 or more", Decimal(*.value))]
+    /// The weight of a transcript is negative, infinite or not a number; a logarithm may be negative.
+    #[error("the weight of transcript {hypothesis} is {}; it must be a number of 0 or more, or any number as a logarithm", Decimal(*.value))]
     Weight {
         /// The transcript, by its position.
         hypothesis: u8,

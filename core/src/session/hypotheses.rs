@@ -16,7 +16,7 @@ const ONE_UNHEARD: f32 = 1e-4;
 pub struct Hypothesis<'h> {
     /// The command.
     pub command: &'h str,
-    /// The recogniser's probability, in any unit: a number of 0 or more.
+    /// The recogniser's probability, in any unit: a number of 0 or more. For [`Agent::hear_one_of_logs`] its natural logarithm.
     pub weight: f32,
 }
 
@@ -58,20 +58,48 @@ impl<M: AgentMemory> Agent<M> {
     /// [`AgentError::Weight`] if a weight is negative or not a number, [`AgentError::EmptyCommand`] if there is no transcript, or all
     /// weights are 0, and as [`hear`](Self::hear) if none can be heard. No session is then under way.
     pub fn hear_one_of<D: Domain>(&mut self, domain: &D, state: &D::State, hypotheses: &[Hypothesis<'_>]) -> Result<usize, AgentError> {
-        for (position, hypothesis) in hypotheses.iter().enumerate() {
-            if !(0.0..=f32::MAX).contains(&hypothesis.weight) {
-                return Err(AgentError::Weight { hypothesis: position.min(usize::from(u8::MAX)) as u8, value: hypothesis.weight });
-            }
-        }
-        let (mut best, mut error): (Option<(usize, Scaled, f32)>, _) = (None, AgentError::EmptyCommand);
+        check(hypotheses, |weight| (0.0..=f32::MAX).contains(&weight))?;
+        self.hear_most_probable(domain, state, hypotheses, Scaled::new)
+    }
+
+    /// As [`hear_one_of`](Self::hear_one_of), where each weight is the natural logarithm of a probability, as many recognisers give it: any
+    /// number, because only differences count, up to 10,000, or negative infinity for 0. They may be far apart, because none is rounded to 0.
+    ///
+    /// A recogniser's acoustic scores differ too much to be logarithms of probabilities: multiply them first by its acoustic scale, often 0.1.
+    ///
+    /// # Errors
+    /// As [`hear_one_of`](Self::hear_one_of); [`AgentError::Weight`] if a weight is infinity or not a number.
+    pub fn hear_one_of_logs<D: Domain>(
+        &mut self,
+        domain: &D,
+        state: &D::State,
+        hypotheses: &[Hypothesis<'_>],
+    ) -> Result<usize, AgentError> {
+        check(hypotheses, |weight| weight < f32::INFINITY)?;
+        let most = hypotheses.iter().map(|hypothesis| hypothesis.weight).fold(f32::NEG_INFINITY, f32::max);
+        self.hear_most_probable(domain, state, hypotheses, |weight| Scaled::exp(weight - most))
+    }
+
+    fn hear_most_probable<D: Domain>(
+        &mut self,
+        domain: &D,
+        state: &D::State,
+        hypotheses: &[Hypothesis<'_>],
+        probability: impl Fn(f32) -> Scaled,
+    ) -> Result<usize, AgentError> {
+        let (mut best, mut error): (Option<(usize, Scaled, Scaled)>, _) = (None, AgentError::EmptyCommand);
         let mut last = None;
-        for (position, hypothesis) in hypotheses.iter().enumerate().filter(|(_, hypothesis)| hypothesis.weight > 0.0) {
+        for (position, hypothesis) in hypotheses.iter().enumerate() {
+            let sound = probability(hypothesis.weight);
+            if sound.is_zero() {
+                continue;
+            }
             match self.hear_anew(domain, state, hypothesis.command, best.is_some()) {
                 Ok(()) => {
-                    let weight = self.explained().scaled_by(hypothesis.weight);
-                    let is_better = |(_, most, sound)| weight.exceeds(most) || (weight == most && hypothesis.weight > sound);
+                    let weight = self.explained().times(sound);
+                    let is_better = |(_, most, loudest)| weight.exceeds(most) || (weight == most && sound.exceeds(loudest));
                     if best.is_none_or(is_better) {
-                        best = Some((position, weight, hypothesis.weight));
+                        best = Some((position, weight, sound));
                     }
                 }
                 // The next transcript would fail in the same way.
@@ -109,4 +137,12 @@ impl<M: AgentMemory> Agent<M> {
         }
         (0..unheard).fold(belief.whole(), |whole, _| whole.scaled_by(ONE_UNHEARD))
     }
+}
+
+/// It is an error if a weight is not allowed.
+fn check(hypotheses: &[Hypothesis<'_>], allowed: impl Fn(f32) -> bool) -> Result<(), AgentError> {
+    let wrong = hypotheses.iter().enumerate().find(|(_, hypothesis)| !allowed(hypothesis.weight));
+    wrong.map_or(Ok(()), |(position, hypothesis)| {
+        Err(AgentError::Weight { hypothesis: position.min(usize::from(u8::MAX)) as u8, value: hypothesis.weight })
+    })
 }

@@ -57,10 +57,17 @@ impl<M: AgentMemory> Agent<M> {
         self.end_session();
     }
 
+    /// Whether the session that is being finished joins the training data already, or another one gives way for it. [`forget`](Self::forget),
+    /// a new command and new settings then come too late: they first do at once what is left, which takes long. A control loop goes on with
+    /// [`finish_on`](Self::finish_on) instead.
+    pub fn is_joining(&self) -> bool {
+        matches!(self.progressed, Progressed::Tidying(_)) || self.language().bitext().is_removing()
+    }
+
     /// Whether no complete model can be saved: the last session is in the training data, but its words and tokens do not count as learned
     /// yet, one that gives way is partly removed, or a model is being restored.
     pub(crate) fn is_between_models(&self) -> bool {
-        matches!(self.progressed, Progressed::Tidying(_) | Progressed::Restoring(_)) || self.language().bitext().is_removing()
+        matches!(self.progressed, Progressed::Restoring(_)) || self.is_joining()
     }
 
     /// Marks the words of a session that has joined the training data as learned. Otherwise they would be forgotten with all new words. A

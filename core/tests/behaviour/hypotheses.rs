@@ -110,3 +110,39 @@ fn lists_that_say_nothing_are_refused() {
         }
     });
 }
+
+#[test]
+fn logarithms_of_weights_weigh_the_same_whatever_is_added_to_all() {
+    with_robots(Options::DEFAULT, |robot, _, home, start| {
+        let commands = ["go to the red room", "go to the green room", "goat tooth a bread broom"];
+        for weights in [[0.9_f32, 0.1, 0.5], [0.1, 0.9, 0.5], [0.2, 0.3, 0.9], [0.4, 0.4, 0.4], [0.0, 0.1, 1.0]] {
+            let list = |of: fn(f32) -> f32| heard(&commands.into_iter().zip(weights.map(of)).collect::<Vec<_>>());
+            let chosen = robot.hear_one_of(home, start, &list(|weight| weight)).unwrap();
+            assert_eq!(robot.hear_one_of_logs(home, start, &list(f32::ln)), Ok(chosen), "{weights:?}");
+            assert_eq!(robot.hear_one_of_logs(home, start, &list(|weight| weight.ln() - 700.0)), Ok(chosen), "{weights:?}");
+            assert_eq!(robot.hear_one_of_logs(home, start, &list(|weight| weight.ln() + 256.0)), Ok(chosen), "{weights:?}");
+        }
+    });
+}
+
+#[test]
+fn a_logarithm_too_small_for_a_number_still_counts() {
+    with_robots(Options::DEFAULT, |robot, _, home, start| {
+        // Thirty words that nobody said to the robot are less probable than e^-100, which no f32 can be.
+        let nonsense = (0..30).map(|word| format!("word{word} ")).collect::<String>();
+        let list = heard(&[(&nonsense, 0.0), ("go to the red room", -110.0), ("go to the green room", -111.0)]);
+        assert_eq!(robot.hear_one_of_logs(home, start, &list), Ok(1));
+    });
+}
+
+#[test]
+fn logarithms_that_say_nothing_are_refused() {
+    with_robots(Options::DEFAULT, |_, robot, home, start| {
+        assert_eq!(robot.hear_one_of_logs(home, start, &[]), Err(AgentError::EmptyCommand));
+        assert_eq!(robot.hear_one_of_logs(home, start, &heard(&[("go", f32::NEG_INFINITY)])), Err(AgentError::EmptyCommand));
+        for wrong in [f32::NAN, f32::INFINITY] {
+            let refused = robot.hear_one_of_logs(home, start, &heard(&[("go", -1.0), ("no", wrong)])).unwrap_err();
+            assert!(matches!(refused, AgentError::Weight { hypothesis: 1, value } if value.to_bits() == wrong.to_bits()));
+        }
+    });
+}

@@ -54,6 +54,9 @@ pub trait Watch {
     /// The work that began last has ended; it was for the lesson or test of this number, the lessons first.
     fn end(&mut self, _work: Work, _number: usize) {}
 
+    /// The work that began last has ended; it was to stop the robot.
+    fn stopped(&mut self) {}
+
     /// A round of expectation maximisation is over.
     fn round(&mut self) {}
 

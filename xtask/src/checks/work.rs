@@ -263,7 +263,7 @@ pub fn tick(run: &Run) -> Result<()> {
         let (name, number) = (trial.image.name(), |name| trial.tick.number(name));
         let (tick, missed) = (number("tick")?, number("missed")?);
         println!("{name}: a tick of {tick} instructions; longest calls:");
-        for call in ["hear", "plan", "act", "finish", "learn"] {
+        for call in ["hear", "plan", "act", "finish", "learn", "stop"] {
             let (longest, most) = (number(call)?, tick / CALLS_IN_A_TICK);
             println!("  {longest} to {call}");
             ensure!(longest <= most, "{name}: one call to {call} took more than {most} instructions");

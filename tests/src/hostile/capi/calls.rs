@@ -53,14 +53,18 @@ pub unsafe fn question(robot: *mut Goodbot, choices: &mut Bytes<'_>) {
 pub unsafe fn words(robot: *mut Goodbot, choices: &mut Bytes<'_>) {
     let (mut word, mut meaning, mut share, mut chosen) = ([0; 32], [0; 80], f32::NAN, 0);
     let (first, second) = (Text::any(choices), Text::any(choices));
-    let weight = choices.one_of(&[0.5, 0.0, -1.0, f32::NAN, f32::MAX]);
+    let weight = choices.one_of(&[0.5, 0.0, -1.0, f32::NAN, f32::MAX, f32::MIN, f32::NEG_INFINITY]);
     let heard = [GoodbotHypothesis { command: first.pointer(), weight }, GoodbotHypothesis { command: second.pointer(), weight: 0.25 }];
     let (task, position, rank) = (choices.below(8) as u32, choices.below(8) as u32, choices.below(4) as u32);
     // SAFETY: the caller's promise; the texts are as long as is said.
     unsafe {
         if choices.below(2) == 0 {
             let count = choices.below(3) as u32;
-            if goodbot_hear_one_of(robot, heard.as_ptr(), count, &raw mut chosen) == GoodbotStatus::Ok {
+            let status = match choices.below(2) {
+                0 => goodbot_hear_one_of(robot, heard.as_ptr(), count, &raw mut chosen),
+                _ => goodbot_hear_one_of_logs(robot, heard.as_ptr(), count, &raw mut chosen),
+            };
+            if status == GoodbotStatus::Ok {
                 assert!(chosen < count);
             }
         }

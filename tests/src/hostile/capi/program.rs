@@ -76,7 +76,7 @@ impl Program {
                     let mut evidence = 0;
                     goodbot_demonstration(robot, action(choices), &raw mut evidence);
                 }
-                20 => drop(goodbot_done(robot, action(choices))),
+                20 => drop(goodbot_acted(robot, action(choices))),
                 21 => drop(goodbot_finish(robot, null_mut())),
                 22 => drop(goodbot_learn(robot, u32::from(choices.byte()) * 64)),
                 23 => while goodbot_learn(robot, 100_000) == GoodbotStatus::Working {},
@@ -361,7 +361,7 @@ unsafe fn decide(robot: *mut Goodbot, choices: &mut Bytes<'_>, keeps_its_word: b
     if unsafe { goodbot_decide(robot, &raw mut action, wanted) } == GoodbotStatus::Ok {
         assert!(plan <= GOODBOT_PLAN_APPROXIMATE && action <= GOODBOT_NOOP);
         // SAFETY: as above.
-        let done = unsafe { goodbot_done(robot, action) };
+        let done = unsafe { goodbot_acted(robot, action) };
         // A machine that answers differently each time may first allow the action and then refuse it.
         let excused = !keeps_its_word && done == GoodbotStatus::NotApplicable;
         assert!(done == GoodbotStatus::Ok || excused, "an action that was decided on can be done, but gave {done:?}");

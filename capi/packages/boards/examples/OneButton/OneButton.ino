@@ -44,7 +44,7 @@ static void move_once() {
     uint32_t floor;
     while ((status = goodbot_plan(robot, 10)) == GOODBOT_STATUS_WORKING) {
     }
-    if (!fine(status) || !fine(goodbot_decide(robot, &action, nullptr)) || !fine(goodbot_done(robot, action))) return;
+    if (!fine(status) || !fine(goodbot_decide(robot, &action, nullptr)) || !fine(goodbot_acted(robot, action))) return;
     if (!fine(goodbot_table_state(robot, &floor))) return;
     Serial.print(action == UP ? "up, to floor " : action == DOWN ? "down, to floor " : "I stay on floor ");
     Serial.println(floor);
