@@ -1,4 +1,5 @@
 // Sets up the page.
+import { setUpBeside } from './beside.js';
 import { drawnElsewhere, setUpBuild } from './build.js';
 import { shareSession } from './charts.js';
 import { setUpCollector } from './collector.js';
@@ -39,6 +40,7 @@ function setUp() {
   setUpOwnTests();
   setUpTabs();
   setUpCollector();
+  setUpBeside();
   setUpTour();
   watchSize();
   for (const button of all('button[data-mode]')) button.addEventListener('click', () => setMode(button.dataset.mode));

@@ -254,7 +254,7 @@ function renderAhead() {
 
 // Keeps the names on a drawing readable, however small it is on the screen: at least 12 pixels, and more in the class view.
 /** @param {SVGSVGElement} root */
-function fitNames(root) {
+export function fitNames(root) {
   const [shown, drawn] = [root.getBoundingClientRect(), root.viewBox.baseVal];
   const scale = Math.min(shown.width / (drawn?.width || 1), shown.height / (drawn?.height || 1));
   if (scale > 0) root.style.setProperty('--name', Math.max(11, parseFloat(getComputedStyle(document.documentElement).fontSize) * 0.75 / scale).toFixed(1) + 'px');

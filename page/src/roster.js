@@ -1,5 +1,6 @@
 // The robots of this browser: the one that learns here, their names, copies, and the deleted ones.
 import { expectTrainer, expectedNow } from './believes.js';
+import { renderBeside } from './beside.js';
 import { attempt, learn, whileLearning, world } from './core.js';
 import { ask } from './dialog.js';
 import { download, readFile } from './files.js';
@@ -29,6 +30,7 @@ function renderList(all) {
       make('button', { type: 'button', class: 'small quiet', 'aria-label': t('robots.copyOf', robot), onclick: () => copyRobot(robot) }, t('robots.copy')),
       make('button', { type: 'button', class: 'small quiet', 'aria-label': t('robots.deleteOf', robot), onclick: () => deleteRobot(robot) }, t('robots.delete')));
   }));
+  renderBeside(all.filter(robot => !robot.deleted));
   const deleted = all.filter(robot => robot.deleted);
   $('deleted').hidden = !deleted.length;
   $('deleted').replaceChildren(t('robots.deleted'), ' ', ...deleted.map(robot => make('button', { type: 'button', class: 'small', onclick: () => bringBack(robot) }, t('robots.back', robot))));
