@@ -218,7 +218,7 @@ async function lookAhead(session) {
   Object.assign(plan, { decided, route: null });
   if (!state.settings.ghost) return;
   world.lookAhead(decided.task);
-  const stale = () => session.over || session.decided !== decided;
+  const stale = () => session.pace === 'over' || session.decided !== decided;
   const found = await inParts(() => (stale() ? 'null' : world.look(LOOK_BUDGET)));
   if (stale()) return;
   plan.route = { session, ...parsed(found) };
