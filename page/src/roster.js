@@ -11,7 +11,7 @@ import { learnFrom } from './logs.js';
 import { refresh, takeStock } from './session.js';
 import { keepSetting } from './settings.js';
 import { put, refused } from './shelf.js';
-import { $, make, render, state, tell } from './state.js';
+import { $, make, nextFrame, render, state, tell } from './state.js';
 import { enterHome, enterStop } from './stops.js';
 import { add, change, copy, enterMode, freeName, logOf, newRecord, open, patch, robots, takeModel, travel, unread } from './store.js';
 import { saveTable } from './tables.js';
@@ -319,14 +319,18 @@ export async function undo(from) {
   if (state.session || state.phase === 'learning') return;
   let what;
   try {
-    what = await whileLearning(() => travel(from));
+    what = await whileLearning(async () => {
+      const name = await travel(from);
+      await nextFrame();
+      return name;
+    });
   } catch (error) {
     tell(t('undo.cannot', { why: error.message }), true);
-    return;
-  } finally {
-    render();
   }
-  if (what === undefined) return;
+  if (what === undefined) {
+    render();
+    return;
+  }
   [state.said, state.verdict] = [null, ''];
   shown();
   tell(t(from === 'past' ? 'undo.done' : 'redo.done', { what, sessions: sessionsWord() }));

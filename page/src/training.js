@@ -193,6 +193,7 @@ export async function takeUpSession(attend) {
 
 async function go(session) {
   const { recorded } = session;
+  await nextFrame();
   while (session.pace !== 'over') {
     takePick(session);
     while (recorded?.[0]?.type === 'answer') {
@@ -463,8 +464,11 @@ export async function finishSession() {
     tell(t('session.failed', { why: error.message }), true);
   }
   underWay.put(null);
+  // What follows a lesson takes longer than a frame all at once.
+  await nextFrame();
   state.heat = { now: heatNow(), before: heat };
   const learned = teaches ? lessonLearned(session.heardNew) : '';
+  await nextFrame();
   state.said = [t('say.thanks'), learned];
   state.session = null;
   state.phase = 'none';
