@@ -11,7 +11,7 @@ import { learnFrom } from './logs.js';
 import { refresh, takeStock } from './session.js';
 import { keepSetting } from './settings.js';
 import { put, refused } from './shelf.js';
-import { $, make, nextFrame, render, state, tell } from './state.js';
+import { $, make, nextTask, render, state, tell } from './state.js';
 import { enterHome, enterStop } from './stops.js';
 import { add, change, copy, enterMode, freeName, logOf, newRecord, open, patch, robots, takeModel, travel, unread } from './store.js';
 import { saveTable } from './tables.js';
@@ -321,7 +321,7 @@ export async function undo(from) {
   try {
     what = await whileLearning(async () => {
       const name = await travel(from);
-      await nextFrame();
+      await nextTask();
       return name;
     });
   } catch (error) {

@@ -162,3 +162,10 @@ export const nextFrame = () => /** @type {Promise<void>} */ (new Promise(done =>
   const timer = setTimeout(done, 60);
   requestAnimationFrame(() => { clearTimeout(timer); done(); });
 }));
+
+/** Lets the page draw and take what is pressed meanwhile, if it has to; in a hidden page too, and without the wait for a frame. */
+export const nextTask = () => new Promise(done => {
+  const { port1, port2 } = new MessageChannel();
+  port1.onmessage = done;
+  port2.postMessage(0);
+});

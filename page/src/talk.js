@@ -5,7 +5,7 @@ import { t } from './language.js';
 import { WORD } from './learned.js';
 import { undo } from './roster.js';
 import { goOn, noteAnswer } from './session.js';
-import { $, announce, nextFrame, state } from './state.js';
+import { $, announce, nextTask, state } from './state.js';
 import { finishWithoutLearning, giveFeedback, lastCommand, leaveSession, remark, startSession, takeStepBack, tellRobot, thatWasIt, togglePause } from './training.js';
 import { spaced } from './words.js';
 
@@ -31,7 +31,7 @@ export async function say(written) {
   const { session } = state;
   if (said === 'command' || (said === 'again' && lastCommand)) {
     // To hear a command takes as long as to find out that it is one.
-    await nextFrame();
+    await nextTask();
     if (await leaveSession()) tellRobot(said === 'again' ? lastCommand : words);
   } else if (session) toTheRobot(session, said, words);
   else if (said === 'undo' && state.robot.past.length) undo('past');

@@ -11,7 +11,7 @@ import { goOn, hasWords, isThere, keepSession, logNow, newSession, noteAnswer, p
 import { SPEEDS } from './settings.js';
 import { put, underWay } from './shelf.js';
 import { sound } from './sound.js';
-import { $, announce, inParts, nextFrame, render, state, tell } from './state.js';
+import { $, announce, inParts, nextFrame, nextTask, render, state, tell } from './state.js';
 import { enterStop, stopAt } from './stops.js';
 import { change, enterMode } from './store.js';
 import { acted, beliefNow, quoted, ranked, spaced, taskWords, unspaced } from './words.js';
@@ -193,7 +193,7 @@ export async function takeUpSession(attend) {
 
 async function go(session) {
   const { recorded } = session;
-  await nextFrame();
+  await nextTask();
   while (session.pace !== 'over') {
     takePick(session);
     while (recorded?.[0]?.type === 'answer') {
@@ -464,11 +464,11 @@ export async function finishSession() {
     tell(t('session.failed', { why: error.message }), true);
   }
   underWay.put(null);
-  // What follows a lesson takes longer than a frame all at once.
-  await nextFrame();
+  // All that follows a lesson would take too long at once.
+  await nextTask();
   state.heat = { now: heatNow(), before: heat };
   const learned = teaches ? lessonLearned(session.heardNew) : '';
-  await nextFrame();
+  await nextTask();
   state.said = [t('say.thanks'), learned];
   state.session = null;
   state.phase = 'none';
