@@ -188,9 +188,12 @@ export function renderPlan() {
   }
   renderAhead();
   renderAsked();
-  root.setAttribute('aria-label', t('plan.about', { text: describeScene(scene)[0] }));
-  $('twin').replaceChildren(...describeScene(scene).map(line => make('li', {}, line)));
-  $('textmap').textContent = scene.map;
+  if (!isDrawn('twin', scene)) {
+    const lines = describeScene(scene);
+    root.setAttribute('aria-label', t('plan.about', { text: lines[0] }));
+    $('twin').replaceChildren(...lines.map(line => make('li', {}, line)));
+    $('textmap').textContent = scene.map;
+  }
   const robot = plan.things.get(scene.agent.name);
   const session = state.session;
   const glad = isMerry() || state.phase === 'moment';
