@@ -1,5 +1,11 @@
 // Puts the code of the module together again, which the builder's split.rs has split by operation.
 
+// How many numbers follow an operation. Two operations have a list of them, and one says how many.
+const COUNTS = new Uint8Array(256);
+for (const [first, last] of [[0x02, 0x04], [0x0c, 0x0d], [0x10, 0x11], [0x20, 0x26], [0x28, 0x42], [0xd0, 0xd0], [0xd2, 0xd2]]) COUNTS.fill(1, first, last + 1);
+COUNTS[0x11] = 2;
+const [JUMPS, CHOICE, MORE] = [0x0e, 0x1c, 0xfc];
+
 /** @param {Uint8Array} before what stands before the code
  * @param {Uint8Array[]} parts by the number of an operation, what follows it; the last three have the alignments, what stands before the operations, and these
  * @param {Uint8Array} behind */
@@ -25,17 +31,17 @@ export function joined(before, parts, behind) {
     }
     while (size < end) {
       const operation = byte(255);
-      const memory = operation > 0x27 && operation < 0x3f;
-      if (memory) number(253);
-      let more = memory || operation > 1 && operation < 5 || [0x0c, 0x0d, 0x10, 0x3f, 0x40, 0x41, 0x42, 0xd0, 0xd2].includes(operation) || operation > 0x1f && operation < 0x27 ? 1 : 0;
-      if (operation === 0x11) more = 2;
-      if (operation === 0x0e) more = number(operation) + 1;
-      if (operation === 0x1c) more = number(operation);
-      if (operation === 0xfc) {
+      // An access to memory.
+      if (operation > 0x27 && operation < 0x3f) number(253);
+      let more = COUNTS[operation];
+      if (operation === JUMPS) more = number(operation) + 1;
+      if (operation === CHOICE) more = number(operation);
+      if (operation === MORE) {
         const which = number(operation);
         more = which < 8 ? 0 : which < 15 && which % 2 === 0 ? 2 : 1;
       }
       while (more--) number(operation);
+      // A constant with a point.
       if (operation === 0x43 || operation === 0x44) for (let bytes = (operation - 0x42) * 4; bytes--;) byte(operation);
     }
   }
