@@ -14,9 +14,9 @@ const TOO_SOON = 350;
  * @param {import('./state.js').Session} session */
 export async function askTrainer(session) {
   if (!state.settings.questions || state.mode !== 'play' || session.looking || session.intended !== null) return false;
-  const found = await inParts(() => (session.over ? 'null' : attempt(() => world.question(BUDGET)) ?? 'null'));
+  const found = await inParts(() => (session.pace === 'over' ? 'null' : attempt(() => world.question(BUDGET)) ?? 'null'));
   /** @type {import('goodbot-wasm').Question | null} */
-  const question = session.over ? null : parsed(found);
+  const question = session.pace === 'over' ? null : parsed(found);
   if (!question) return false;
   Object.assign(session, { question, asked: performance.now(), delay: 0 });
   state.phase = 'asking';

@@ -5,6 +5,7 @@ import { noRobot as es } from '../languages/es.json';
 import { noRobot as fr } from '../languages/fr.json';
 import { noRobot as zh } from '../languages/zh.json';
 import { expanded } from './deflate.js';
+import { joined } from './joined.js';
 
 /** The bytes of a text of signs, each of which has six bits or seven: the builder's pack.rs says which.
  * @param {string} text */
@@ -33,13 +34,14 @@ async function begin() {
   const sizes = String(packed.dataset.sizes).split(' ').map(Number);
   const whole = await expanded(fromSigns(String(packed.textContent)));
   let at = 0;
-  const [module, script, body, style, languages] = sizes.map(size => whole.slice(at, at += size));
+  const parts = sizes.map(size => whole.subarray(at, at += size));
+  const [script, body, style, languages] = parts.slice(-4);
   const text = part => new TextDecoder().decode(part);
   const add = (tag, part) => { document.head.append(Object.assign(document.createElement(tag), { textContent: text(part) })); };
   document.body.insertAdjacentHTML('afterbegin', text(body));
   add('style', style);
   add('script', script);
-  await /** @type {any} */ (globalThis).goodbotBegin(module, text(languages));
+  await /** @type {any} */ (globalThis).goodbotBegin(joined(parts[0], parts.slice(1, 257), parts[257]), text(languages));
 }
 
 begin().catch(error => {

@@ -3,13 +3,20 @@ import { listed, percent, t } from './language.js';
 import { asWritten, knowsWords, unknownWords } from './learned.js';
 import { state } from './state.js';
 import { isOver } from './stops.js';
-import { objectWords, questionWords, quoted, ranked, sessionsWord } from './words.js';
+import { objectWords, questionWords, quoted, ranked, sessionsWord, taskWords } from './words.js';
 
 // The robot's words at its goal: its room, or else the done task.
 const hereWords = (name, task) => {
   const [, room] = name.match(/^agentInRoom\(\w+,(\w+)\)$/) || [];
   return room ? t('say.here', { room: objectWords(room, 2) }) : t('say.carriedOut', { task });
 };
+
+/** What a robot says of the task that it takes for the most likely, and how sure it is.
+ * @param {import('goodbot-wasm').Task} best */
+export function guess({ name, probability }) {
+  const said = probability > 0.8 ? 'say.sure' : probability > 0.45 ? 'say.think' : 'say.perhaps';
+  return [t(said, { task: taskWords(name) }), t('say.howSure', { sure: percent(probability) })];
+}
 
 /** What the robot says about itself: the main sentence, and the rest.
  * @returns {[string, string]} */
@@ -41,6 +48,6 @@ export function speech() {
     if (plan === 'dead end') return [t('say.stuck'), t('say.stuckMore', { task })];
     return [t('say.lost'), t('say.lostMore')];
   }
-  const said = best.probability > 0.8 ? 'say.sure' : best.probability > 0.45 ? 'say.think' : 'say.perhaps';
-  return [t(said, { task }), t('say.howSure', { sure: percent(best.probability) }) + strange];
+  const [head, rest] = guess(best);
+  return [head, rest + strange];
 }

@@ -1,5 +1,5 @@
 // A clip of some seconds: the robot does what a sentence of an invented language says. The browser records it from a canvas.
-import { Goodbot, parsed } from './core.js';
+import { Goodbot, parsed, world } from './core.js';
 import { rasterized, STYLE } from './picture.js';
 import { Frame, houseDrawing } from './plan.js';
 import { blockDrawing, robotDrawing } from './robot.js';
@@ -18,17 +18,19 @@ export const clipType = () => (typeof MediaRecorder === 'function' && 'captureSt
 /** The cells of the robot and of the things on its shortest way to a task, the first before the first step.
  * @param {string} home
  * @param {string} task */
-function walk(home, task) {
+export function walk(home, task) {
   const robot = new Goodbot(0);
   try {
     robot.setEnvironment(home);
+    robot.setWays(world.ways());
     const scene = parsed(robot.scene());
     robot.hear('a');
     robot.lookAhead(parsed(robot.belief()).tasks.findIndex(({ name }) => name === task));
     let route = '';
     while (!route) route = robot.look(20000);
     const places = [{ robot: [scene.agent.x, scene.agent.y], blocks: scene.blocks.map(({ x, y }) => [x, y]) }];
-    for (const cell of parsed(route).cells.slice(1)) {
+    // To a task that leads nowhere from here it takes no step.
+    for (const cell of parsed(route)?.cells.slice(1) || []) {
       const before = places[places.length - 1];
       const pushed = cell.map((to, axis) => to - before.robot[axis]);
       places.push({ robot: cell, blocks: before.blocks.map(at => (at.join() === cell.join() ? at.map((from, axis) => from + pushed[axis]) : at)) });

@@ -2,7 +2,7 @@
 import { chart } from './charts.js';
 import { listed, percent, t } from './language.js';
 import { $, make, tell } from './state.js';
-import { rowsOf, saveRows } from './tables.js';
+import { readsPhotos, rowsOf, rowsOn, saveRows } from './tables.js';
 
 /** @type {Record<string, string>[]} */
 let all = [];
@@ -28,10 +28,12 @@ function summary(rows) {
 /** Opens the tables of a class.
  * @param {File[]} files */
 async function collect(files) {
-  const read = await Promise.all(files.map(async file => ({ name: file.name, rows: rowsOf(await file.text()) })));
-  const other = read.filter(({ rows }) => !rows?.length).map(({ name }) => name);
+  // What no browser can read as a photo has no table, like any other file.
+  const read = await Promise.all(files.map(async file => ({ name: file.name, found: file.type.startsWith('image/') ? await rowsOn(file).catch(() => []) : [rowsOf(await file.text())] })));
+  const tablesOf = ({ found }) => found.flatMap(rows => (rows?.length ? [rows] : []));
+  const other = read.filter(one => !tablesOf(one).length).map(({ name }) => name);
   if (other.length) tell(t('class.other', { names: listed(other) }), true);
-  const tables = read.flatMap(({ rows }) => (rows?.length ? [rows] : []));
+  const tables = read.flatMap(tablesOf);
   if (!tables.length) return;
   all = tables.flat();
   const robots = tables.map(summary);
@@ -45,6 +47,7 @@ async function collect(files) {
 }
 
 export function setUpCollector() {
+  if (readsPhotos) $('open-class').accept += ',image/*';
   $('open-class').addEventListener('change', async () => {
     const files = [...$('open-class').files];
     $('open-class').value = '';

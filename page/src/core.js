@@ -35,8 +35,8 @@ export function attempt(action) {
   }
 }
 
-/** Has the robot learn its training data, a part at a time. */
-export const learn = () => inParts(() => world.learn(LEARN_BUDGET));
+/** Has a robot learn its training data, a part at a time. */
+export const learn = (robot = world) => inParts(() => robot.learn(LEARN_BUDGET));
 
 /** Does work in which the robot learns. The page says so, and takes no command meanwhile.
  * @template T

@@ -1,7 +1,7 @@
 // The robot's dictionary in words: the meaning of each word.
 import { parsed, world } from './core.js';
 import { listed, named, t } from './language.js';
-import { make, state } from './state.js';
+import { inParts, make, state } from './state.js';
 import { logOf } from './store.js';
 import { beliefNow, colorWords, quoted, shapeWords, unspaced } from './words.js';
 
@@ -32,15 +32,14 @@ let [written, writtenIn] = [/** @type {Map<string, string>} */ (new Map()), ''];
  * out, because its capital says nothing.
  * @param {string} word */
 export function asWritten(word) {
-  const said = state.session?.command || '';
-  const key = [state.robot.id, state.robot.changed, said].join();
+  const key = [state.robot.id, state.robot.changed].join();
+  const wordsOf = command => (command?.match(WORD) || []).slice(1);
   if (writtenIn !== key) {
     writtenIn = key;
     written = new Map();
-    const commands = [...logOf(state.robot).matchAll(/"command":("(?:[^"\\]|\\.)*")/g)].map(([, json]) => parsed(json));
-    for (const command of [...commands, said]) for (const one of (command.match(WORD) || []).slice(1)) written.set(one.toLowerCase(), one);
+    for (const [, json] of logOf(state.robot).matchAll(/"command":("(?:[^"\\]|\\.)*")/g)) for (const one of wordsOf(parsed(json))) written.set(one.toLowerCase(), one);
   }
-  return written.get(word) || word;
+  return wordsOf(state.session?.command).findLast(one => one.toLowerCase() === word) || written.get(word) || word;
 }
 
 /** The words with a clear meaning, as they were written, each with its idea.
@@ -107,24 +106,40 @@ export function heardWords(command) {
 
 const hasWay = task => / (through|avoiding) /.test(task.name);
 
-/** Commands for some tasks that are possible here and not yet done, in the robot's own words.
- * @returns {string[]} */
-export function ideas() {
+// Milliseconds: a task that takes longer to look at is no idea.
+const LONGEST_LOOK = 25;
+
+/** Commands for some tasks that are possible here and not yet done, in the robot's own words. They are sought one task at a time, until the answer is no longer
+ * wanted.
+ * @param {() => boolean} isStale
+ * @returns {Promise<string[]>} */
+export async function ideas(isStale) {
   const found = { agent: /** @type {string[]} */ ([]), block: /** @type {string[]} */ ([]), way: /** @type {string[]} */ ([]) };
-  try {
-    world.hear('?a');
-    const { tasks } = beliefNow();
-    const started = performance.now();
-    tasks.forEach((task, at) => {
-      const kind = hasWay(task) ? 'way' : task.name.startsWith('agent') ? 'agent' : 'block';
-      if (task.words.includes('(') || found[kind].length === (kind === 'agent' ? 2 : 1)) return;
-      world.lookAhead(at);
-      let route = '';
-      while (!route && performance.now() - started < 150) route = world.look(2000);
-      const cells = route && parsed(route)?.cells;
-      if (cells && cells.length > 1) found[kind].push(task.words);
-    });
-  } catch { /* A home without tasks has nothing to suggest. */ }
-  world.forget();
+  let at = -1;
+  await inParts(() => {
+    if (isStale()) return true;
+    try {
+      world.hear('?a');
+      const { tasks } = beliefNow();
+      const started = performance.now();
+      while (performance.now() - started < LONGEST_LOOK) {
+        at += 1;
+        if (at === tasks.length) return true;
+        const kind = hasWay(tasks[at]) ? 'way' : tasks[at].name.startsWith('agent') ? 'agent' : 'block';
+        if (tasks[at].words.includes('(') || found[kind].length === (kind === 'agent' ? 2 : 1)) continue;
+        world.lookAhead(at);
+        let route = '';
+        while (!route && performance.now() - started < 2 * LONGEST_LOOK) route = world.look(500);
+        const cells = route && parsed(route)?.cells;
+        if (cells && cells.length > 1) found[kind].push(tasks[at].words);
+      }
+    } catch {
+      // A home without tasks has nothing to suggest.
+      return true;
+    } finally {
+      world.forget();
+    }
+    return false;
+  });
   return [...found.agent.slice(0, 1), ...found.block, ...found.way, ...found.agent.slice(1)];
 }

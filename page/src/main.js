@@ -1,4 +1,5 @@
 // Sets up the page.
+import { setUpBeside } from './beside.js';
 import { drawnElsewhere, setUpBuild } from './build.js';
 import { shareSession } from './charts.js';
 import { setUpCollector } from './collector.js';
@@ -19,7 +20,7 @@ import * as shelf from './shelf.js';
 import { $, all, drawBy, render, state } from './state.js';
 import { enterStop } from './stops.js';
 import { enterMode, openLast, othersTaught, wouldBeLost } from './store.js';
-import { saveTable } from './tables.js';
+import { saveTable, showTable } from './tables.js';
 import { setUpTabs } from './tabs.js';
 import { judge } from './talk.js';
 import { renderHeat } from './thoughts.js';
@@ -39,6 +40,7 @@ function setUp() {
   setUpOwnTests();
   setUpTabs();
   setUpCollector();
+  setUpBeside();
   setUpTour();
   watchSize();
   for (const button of all('button[data-mode]')) button.addEventListener('click', () => setMode(button.dataset.mode));
@@ -50,6 +52,7 @@ function setUp() {
   $('pick').addEventListener('change', () => pick($('pick').value));
   $('heat-before').addEventListener('change', renderHeat);
   $('save-table').addEventListener('click', saveTable);
+  $('show-table').addEventListener('click', showTable);
   $('share-session').addEventListener('click', shareSession);
   window.addEventListener('hashchange', async () => {
     if (!await leaveSession() || await joinStudy()) return;

@@ -3,7 +3,7 @@ import { attempt, course, parsed, world } from './core.js';
 import { t } from './language.js';
 import { nameHome } from './play.js';
 import * as shelf from './shelf.js';
-import { $, inParts, render, state } from './state.js';
+import { $, inParts, nextFrame, render, state } from './state.js';
 import { enterHome } from './stops.js';
 import { logOf } from './store.js';
 import { isShown } from './tabs.js';
@@ -80,6 +80,8 @@ export async function renderNext() {
   // What stands there is the answer to what was asked before.
   $('next-card').ariaBusy = 'true';
   const isStale = () => key !== sought || Boolean(state.session) || state.phase !== 'none';
+  // First the page is drawn.
+  await nextFrame();
   const found = await next(isStale);
   if (isStale()) {
     if (key === sought) sought = '';

@@ -188,9 +188,12 @@ export function renderPlan() {
   }
   renderAhead();
   renderAsked();
-  root.setAttribute('aria-label', t('plan.about', { text: describeScene(scene)[0] }));
-  $('twin').replaceChildren(...describeScene(scene).map(line => make('li', {}, line)));
-  $('textmap').textContent = scene.map;
+  if (!isDrawn('twin', scene)) {
+    const lines = describeScene(scene);
+    root.setAttribute('aria-label', t('plan.about', { text: lines[0] }));
+    $('twin').replaceChildren(...lines.map(line => make('li', {}, line)));
+    $('textmap').textContent = scene.map;
+  }
   const robot = plan.things.get(scene.agent.name);
   const session = state.session;
   const glad = isMerry() || state.phase === 'moment';
@@ -218,7 +221,7 @@ async function lookAhead(session) {
   Object.assign(plan, { decided, route: null });
   if (!state.settings.ghost) return;
   world.lookAhead(decided.task);
-  const stale = () => session.over || session.decided !== decided;
+  const stale = () => session.pace === 'over' || session.decided !== decided;
   const found = await inParts(() => (stale() ? 'null' : world.look(LOOK_BUDGET)));
   if (stale()) return;
   plan.route = { session, ...parsed(found) };
@@ -254,7 +257,7 @@ function renderAhead() {
 
 // Keeps the names on a drawing readable, however small it is on the screen: at least 12 pixels, and more in the class view.
 /** @param {SVGSVGElement} root */
-function fitNames(root) {
+export function fitNames(root) {
   const [shown, drawn] = [root.getBoundingClientRect(), root.viewBox.baseVal];
   const scale = Math.min(shown.width / (drawn?.width || 1), shown.height / (drawn?.height || 1));
   if (scale > 0) root.style.setProperty('--name', Math.max(11, parseFloat(getComputedStyle(document.documentElement).fontSize) * 0.75 / scale).toFixed(1) + 'px');

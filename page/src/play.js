@@ -5,18 +5,31 @@ import { t } from './language.js';
 import { ideas } from './learned.js';
 import { refresh } from './session.js';
 import * as shelf from './shelf.js';
-import { $, isDrawn, make, render, state } from './state.js';
+import { $, isDrawn, make, nextFrame, render, state } from './state.js';
 import { enterHome, enterStop, homeNamed } from './stops.js';
 import { enterMode } from './store.js';
 import { say } from './talk.js';
 import { leaveSession, tellRobot } from './training.js';
 
+let searches = 0;
+
 // Commands that make sense here, for people who do not know what to say.
-export function renderIdeas() {
+export async function renderIdeas() {
   $('ideas').hidden = Boolean(state.session) || state.secret === 'open';
   if (state.session || state.phase !== 'none' || state.mode !== 'play' || state.secret === 'open') return;
   if (isDrawn('ideas', state.scene, world.pulls())) return;
-  $('ideas').replaceChildren(...ideas().map(idea => make('button', { type: 'button', class: 'idea', onclick: () => { $('command').value = idea; say(idea); } }, idea)));
+  $('ideas').replaceChildren();
+  const search = searches += 1;
+  const isStale = () => search !== searches || Boolean(state.session) || state.phase !== 'none';
+  // First the page is drawn.
+  await nextFrame();
+  const found = await ideas(isStale);
+  if (isStale()) {
+    // They are sought anew when nothing else goes on.
+    if (search === searches) isDrawn('ideas');
+    return;
+  }
+  $('ideas').replaceChildren(...found.map(idea => make('button', { type: 'button', class: 'idea', onclick: () => { $('command').value = idea; say(idea); } }, idea)));
 }
 
 export async function setMode(mode) {

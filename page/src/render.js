@@ -29,7 +29,7 @@ export function renderPage() {
   const focused = /** @type {any} */ (document.activeElement);
   const busy = state.phase === 'learning';
   document.body.dataset.mode = state.mode;
-  document.body.dataset.phase = state.phase;
+  document.body.dataset.phase = state.phase === 'waiting' && session?.pace === 'paused' ? 'paused' : state.phase;
   document.documentElement.toggleAttribute('data-presenter', state.settings.presenter && state.mode !== 'build');
   document.body.toggleAttribute('data-session', Boolean(session));
   for (const button of all('button[data-mode]')) button.setAttribute('aria-pressed', button.dataset.mode === state.mode);
@@ -70,7 +70,7 @@ export function renderPage() {
   const to = session?.looking && !session.recorded ? t('told.testTold') : !session || !session.decided ? t('train.to') : session.recorded ? t(/^[rp]/.test(session.feedback || '') ? 'judge.given' : 'it', { word: feedbackWord(session.feedback), did: acted(session.decided.action) }) :
     t(session.feedback === 'reward' ? 'train.saidGood' : session.feedback === 'punish' ? 'train.saidBad' : 'train.silent', { it: t('it', { did: acted(session.decided.action) }) });
   $('to').replaceChildren(to);
-  $('pause').textContent = t(session && session.paused ? 'train.goOn' : 'train.pause');
+  $('pause').textContent = t(session?.pace === 'paused' ? 'train.goOn' : 'train.pause');
   $('pause').disabled = $('next').disabled = !session || busy;
   for (const id of ['pause', 'next']) $(id).hidden = !session || Boolean(session.question);
   for (const id of ['finish', 'drop']) $(id).hidden = !session || session.looking || state.tour.watching;
@@ -91,7 +91,7 @@ export function renderPage() {
   renderQuestion();
   followSession();
   waiting?.cancel();
-  if (session && state.phase === 'waiting' && session.delay > 300 && session.delay < Infinity && !session.paused) {
+  if (session && state.phase === 'waiting' && session.delay > 300 && session.delay < Infinity && session.pace !== 'paused') {
     waiting = $('wait').animate([{ transform: 'scaleX(0)' }, { transform: 'scaleX(1)' }], { duration: session.delay, delay: session.since - performance.now(), fill: 'both' });
   }
   // The focus does not stay on a button that is gone.

@@ -1,5 +1,6 @@
 // The robots of this browser: the one that learns here, their names, copies, and the deleted ones.
 import { expectTrainer, expectedNow } from './believes.js';
+import { renderBeside } from './beside.js';
 import { attempt, learn, whileLearning, world } from './core.js';
 import { ask } from './dialog.js';
 import { download, readFile } from './files.js';
@@ -10,7 +11,7 @@ import { learnFrom } from './logs.js';
 import { refresh, takeStock } from './session.js';
 import { keepSetting } from './settings.js';
 import { put, refused } from './shelf.js';
-import { $, make, render, state, tell } from './state.js';
+import { $, make, nextTask, render, state, tell } from './state.js';
 import { enterHome, enterStop } from './stops.js';
 import { add, change, copy, enterMode, freeName, logOf, newRecord, open, patch, robots, takeModel, travel, unread } from './store.js';
 import { saveTable } from './tables.js';
@@ -29,6 +30,7 @@ function renderList(all) {
       make('button', { type: 'button', class: 'small quiet', 'aria-label': t('robots.copyOf', robot), onclick: () => copyRobot(robot) }, t('robots.copy')),
       make('button', { type: 'button', class: 'small quiet', 'aria-label': t('robots.deleteOf', robot), onclick: () => deleteRobot(robot) }, t('robots.delete')));
   }));
+  renderBeside(all.filter(robot => !robot.deleted));
   const deleted = all.filter(robot => robot.deleted);
   $('deleted').hidden = !deleted.length;
   $('deleted').replaceChildren(t('robots.deleted'), ' ', ...deleted.map(robot => make('button', { type: 'button', class: 'small', onclick: () => bringBack(robot) }, t('robots.back', robot))));
@@ -317,14 +319,18 @@ export async function undo(from) {
   if (state.session || state.phase === 'learning') return;
   let what;
   try {
-    what = await whileLearning(() => travel(from));
+    what = await whileLearning(async () => {
+      const name = await travel(from);
+      await nextTask();
+      return name;
+    });
   } catch (error) {
     tell(t('undo.cannot', { why: error.message }), true);
-    return;
-  } finally {
-    render();
   }
-  if (what === undefined) return;
+  if (what === undefined) {
+    render();
+    return;
+  }
   [state.said, state.verdict] = [null, ''];
   shown();
   tell(t(from === 'past' ? 'undo.done' : 'redo.done', { what, sessions: sessionsWord() }));

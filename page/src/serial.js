@@ -119,11 +119,11 @@ async function connect() {
 
 // The session so far, as requests; `null` if the board cannot do it.
 /** @param {import('./state.js').Session} session */
-function requests({ command, decided, committed, feedback, given }) {
+function requests({ command, decided, committed, feedback, said }) {
   const home = homeRequests(JSON.parse(world.log().split('\n')[0]).environment);
   if (!home) return null;
   const steps = state.evidence.map(step => [step.action, step.feedback]);
-  if (decided && decided !== committed) steps.push([decided.action, given && feedback || '']);
+  if (decided && decided !== committed) steps.push([decided.action, said && feedback || '']);
   const words = { reward: ['good'], punish: ['bad'] };
   const done = steps.flatMap(([action, word]) => ['act ' + action, ...words[word] || []]);
   return ['pace 0', 'begin', ...home, 'build', 'say ' + command, ...done, ...state.phase === 'learning' ? ['finish'] : []];

@@ -22,13 +22,13 @@ export function takeStock(before = null) {
 export function newSession(command, { intended = null, looking = false, recorded = undefined }) {
   const task = state.belief.tasks.findIndex(task => task.name === intended);
   return {
-    command, intended: task < 0 ? null : task, looking, recorded, heard: [], decided: null, feedback: null, given: false, rests: 0, steps: 0, delay: 0, since: 0,
-    committed: null, began: performance.now(), times: [], paused: false, stepping: false, wake: null, soon: 0, said: 0, heardNew: [], question: null, asked: 0, answers: 0, picked: '', affirmed: false, took: null, undone: false, over: false, onHeard: null, onEnd: null, onLearn: null,
+    command, intended: task < 0 ? null : task, looking, recorded, heard: [], decided: null, feedback: null, rests: 0, steps: 0, delay: 0, since: 0,
+    committed: null, began: performance.now(), times: [], pace: 'going', wake: null, soon: 0, said: 0, heardNew: [], question: null, asked: 0, answers: 0, picked: '', affirmed: false, took: null, onHeard: null, onEnd: null,
   };
 }
 
 /** Whether the trainer has given feedback or answers in this session that would be lost with it. */
-export const hasWords = session => !session.looking && session.intended === null && (session.given || session.answers > 0 || state.evidence.some(evidence => evidence.feedback !== 'neutral'));
+export const hasWords = session => !session.looking && session.intended === null && (session.said || session.answers > 0 || state.evidence.some(evidence => evidence.feedback !== 'neutral'));
 
 /** Whether the robot rests at the goal of the task that it follows. */
 export function isThere() {
@@ -48,7 +48,7 @@ export function noteAnswer(session) {
 }
 
 // The times of the last action and of the feedback to it.
-export const timeOfStep = session => ({ at_ms: sinceBeginning(session, session.since), said_ms: session.given ? sinceBeginning(session, session.said) : undefined });
+export const timeOfStep = session => ({ at_ms: sinceBeginning(session, session.since), said_ms: session.said ? sinceBeginning(session, session.said) : undefined });
 
 // The session as lines of a log, with the times of its steps and answers.
 export function logNow({ times }) {
@@ -63,7 +63,7 @@ export function logNow({ times }) {
 export function keepSession(session) {
   if (session.looking || session.intended !== null || state.robot.log !== undefined) return;
   const steps = attempt(() => logNow(session).trimEnd().split('\n').slice(0, -1)) || [];
-  if (session.given && session.decided) steps.push(JSON.stringify({ type: 'step', action: session.decided.action, feedback: session.feedback, ...timeOfStep(session) }));
+  if (session.said && session.decided) steps.push(JSON.stringify({ type: 'step', action: session.decided.action, feedback: session.feedback, ...timeOfStep(session) }));
   underWay.put(JSON.stringify({ robot: state.robot.id, mode: state.mode, at: state.mode === 'tour' ? state.tour.at : null, home: world.environment(), steps }));
 }
 
@@ -71,7 +71,7 @@ export function keepSession(session) {
 export function stopSession() {
   const session = state.session;
   if (session) {
-    session.over = true;
+    session.pace = 'over';
     wake(session);
   }
   state.session = null;
@@ -84,6 +84,12 @@ export function wake(session) {
   const { wake: resolve } = session;
   session.wake = null;
   if (resolve) resolve();
+}
+
+/** Lets the robot go on; if it is paused, for one step. */
+export function goOn(session) {
+  if (session.pace === 'paused') session.pace = 'step';
+  wake(session);
 }
 
 // Waits this many milliseconds, or until the session is woken.

@@ -6,7 +6,7 @@ import { state } from './state.js';
 // How many milliseconds the robot waits after a step.
 /** @type {Record<string, (sure: number) => number>} */
 export const SPEEDS = {
-  step: () => Infinity, slow: () => 2600, normal: () => 1400, fast: () => 380, once: () => 0, confidence: sure => 350 + 2900 * RULES[state.settings.rule](sure),
+  step: () => Infinity, slow: () => 2600, normal: () => 1400, fast: () => 400, once: () => 0, confidence: sure => 350 + 2900 * RULES[state.settings.rule](sure),
 };
 
 // How long the robot waits, from 0 to 1: the less sure it is of its next action, the longer (the authors' three rules).

@@ -16,6 +16,8 @@ export function share(link, title, about, pasted = false) {
   const more = pasted ? (squares(link) ? '' : t('along.long')) : location.protocol === 'file:' ? t('link.file') : '';
   $('shared-about').textContent = (about + ' ' + more).trim();
   $('link').value = link;
+  // A table is no address: only its code is of use.
+  $('link').closest('.field').hidden = $('copy-link').hidden = !link.includes('://');
   drawCode(link);
   $('shared').showModal();
 }
@@ -32,7 +34,7 @@ export function squares(link) {
 
 function drawCode(link) {
   // A telephone cannot open a file of this machine.
-  const code = location.protocol === 'file:' ? null : squares(link);
+  const code = link.startsWith('file:') ? null : squares(link);
   $('code').toggleAttribute('hidden', !code);
   if (!code) return;
   $('code').setAttribute('viewBox', '-4 -4 ' + (code.size + 8) + ' ' + (code.size + 8));

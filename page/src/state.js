@@ -18,21 +18,19 @@
  * @property {number | null} intended the task of a simulated trainer
  * @property {boolean} looking a test: no feedback
  * @property {Ranked[]} heard the belief at first
- * @property {Decided | null} decided
+ * @property {Decided | null} decided the last step; null before the first, and where the last one was taken back
  * @property {Decided | null} committed the last step whose feedback was taken in
  * @property {string | null} feedback
- * @property {boolean} given whether the trainer has given feedback to the last action
  * @property {number} rests
  * @property {number} steps
  * @property {number} delay
  * @property {number} since
  * @property {number} began
  * @property {{ at_ms?: number, said_ms?: number }[]} times of its steps and answers, in milliseconds since it began
- * @property {boolean} paused
- * @property {boolean} stepping
+ * @property {'going' | 'paused' | 'step' | 'over'} pace whether it goes on when its time is over, when it is told to, or with one step until it is paused again
  * @property {(() => void) | null} wake
  * @property {number} soon
- * @property {number} said when the feedback to the last step was given
+ * @property {number} said when the trainer has given feedback to the last step, or 0
  * @property {any[] | undefined} recorded the remaining records of a session from a log that is shown
  * @property {string[]} heardNew the words that were new to the robot
  * @property {import('goodbot-wasm').Question | null} question the open question
@@ -41,11 +39,8 @@
  * @property {string} picked the meaning that the trainer has just picked
  * @property {boolean} affirmed whether the trainer has said that this was it
  * @property {Ranked | null} took the most likely task in the end
- * @property {boolean} undone whether its last step was taken back, and the next is still to come
- * @property {boolean} over
  * @property {(() => void) | null} onHeard called when the robot has decided what the command means
  * @property {(() => void) | null} onEnd called after its end
- * @property {(() => void) | null} onLearn called before it is learned
  */
 
 export const state = {
@@ -55,7 +50,7 @@ export const state = {
   belief: /** @type {Belief} */ (/** @type {unknown} */ ({ tasks: [] })),
   support: /** @type {Support | null} */ (null),
   heat: { now: /** @type {Heat | null} */ (null), before: /** @type {Heat | null} */ (null) },
-  // none, planning, asking, waiting, paused, learning or moment: a success is shown
+  // none, planning, asking, waiting, learning or moment: a success is shown
   phase: 'none',
   session: /** @type {Session | null} */ (null),
   evidence: /** @type {Evidence[]} */ ([]),
@@ -167,3 +162,10 @@ export const nextFrame = () => /** @type {Promise<void>} */ (new Promise(done =>
   const timer = setTimeout(done, 60);
   requestAnimationFrame(() => { clearTimeout(timer); done(); });
 }));
+
+/** Lets the page draw and take what is pressed meanwhile, if it has to; in a hidden page too, and without the wait for a frame. */
+export const nextTask = () => new Promise(done => {
+  const { port1, port2 } = new MessageChannel();
+  port1.onmessage = done;
+  port2.postMessage(0);
+});

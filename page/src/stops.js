@@ -8,7 +8,13 @@ import { keepTour } from './store.js';
 import { APPENDIX } from './storeys.js';
 import { taskWords } from './words.js';
 
-export const homeNamed = name => JSON.stringify(course.homes.find(([other]) => other === name)?.[1]);
+/** @type {Map<string, string>} */
+const homes = new Map();
+/** @param {string} name */
+export function homeNamed(name) {
+  if (!homes.size) for (const [other, home] of course.homes) homes.set(other, JSON.stringify(home));
+  return homes.get(name) || '';
+}
 const ofCourse = (stop, test) => ({ home: homeNamed(stop.home), intended: stop.intended, test, appendix: false });
 // The appendix is for robots to which commands may say how.
 const stopsOfCourse = () => [

@@ -124,18 +124,25 @@ export async function enterMode(mode) {
   state.heat = { now: heatNow(), before: null };
 }
 
-/** Restores a model, a part at a time; throws if it is none.
+/** Restores a model in a robot, a part at a time; throws if it is none.
+ * @param {import('goodbot-wasm').Goodbot} robot
+ * @param {Uint8Array} bytes
+ * @param {boolean} ways whether commands may say how
+ * @param {string | undefined} starter */
+export async function restore(robot, bytes, ways, starter) {
+  robot.setWays(ways);
+  await learn(robot);
+  robot.restore(bytes);
+  robot.setStarter(sentencesNow(starter));
+  await learn(robot);
+}
+
+/** Restores a model in this tab's robot; throws if it is none.
  * @param {Uint8Array} bytes
  * @param {boolean} ways whether commands may say how
  * @param {string} starter */
 export async function takeModel(bytes, ways = world.ways(), starter = '') {
-  await whileLearning(async () => {
-    world.setWays(ways);
-    await learn();
-    world.restore(bytes);
-    world.setStarter(sentencesNow(starter));
-    await learn();
-  });
+  await whileLearning(() => restore(world, bytes, ways, starter));
   state.sessions = world.sessions();
   state.settings.style = expectedNow();
 }

@@ -1,7 +1,10 @@
 // The record of a robot as a table, and such tables read again.
+import { fromAddress, toAddress } from './base64.js';
 import { course, parsed } from './core.js';
+import { expanded, packed } from './deflate.js';
 import { download, fileName } from './files.js';
 import { t } from './language.js';
+import { share } from './share.js';
 import { state, tell } from './state.js';
 import { logOf } from './store.js';
 
@@ -16,10 +19,13 @@ const cell = value => {
   return /[",\r\n]/.test(text) ? '"' + text.replaceAll('"', '""') + '"' : text;
 };
 
-/** Saves rows, each with values by the names of columns. Excel takes the text for UTF-8 only with its mark at the beginning.
- * @param {string} name
+/** Rows as text, each with values by the names of columns. Excel takes it for UTF-8 only with its mark at the beginning.
  * @param {Record<string, any>[]} rows */
-export const saveRows = (name, rows) => download(name, '\ufeff' + [COLUMNS, ...rows.map(row => COLUMNS.map(column => row[column]))].map(row => row.map(cell).join(',') + '\r\n').join(''), 'text/csv');
+const asText = rows => '\ufeff' + [COLUMNS, ...rows.map(row => COLUMNS.map(column => row[column]))].map(row => row.map(cell).join(',') + '\r\n').join('');
+
+/** @param {string} name
+ * @param {Record<string, any>[]} rows */
+export const saveRows = (name, rows) => download(name, asText(rows), 'text/csv');
 
 /** The rows of a table, also of one that a program has written with semicolons; `null` if it is no such table.
  * @param {string} text
@@ -86,4 +92,27 @@ export function saveTable() {
   const rows = record();
   if (rows.length) saveRows(fileName() + '.csv', rows);
   else tell(t('settings.noLog'));
+}
+
+const CODE = 'goodbot-table:';
+
+/** Shows that table as a QR code. */
+export async function showTable() {
+  const rows = record();
+  if (rows.length) share(CODE + toAddress(await packed(new TextEncoder().encode(asText(rows)))), t('charts.code'), t('class.photo'), true);
+  else tell(t('settings.noLog'));
+}
+
+// TypeScript does not know this part of browsers, and Firefox does not have it.
+/** @type {any} */
+const { BarcodeDetector } = /** @type {any} */ (window);
+
+export const readsPhotos = Boolean(BarcodeDetector);
+
+/** The rows of the tables whose codes are on a photo.
+ * @param {Blob} photo */
+export async function rowsOn(photo) {
+  const codes = await new BarcodeDetector({ formats: ['qr_code'] }).detect(await createImageBitmap(photo));
+  const texts = codes.map(({ rawValue }) => rawValue).filter(text => text.startsWith(CODE));
+  return Promise.all(texts.map(async text => rowsOf(new TextDecoder().decode(await expanded(fromAddress(text.slice(CODE.length)))))));
 }

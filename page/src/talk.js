@@ -4,8 +4,8 @@ import { attempt, world } from './core.js';
 import { t } from './language.js';
 import { WORD } from './learned.js';
 import { undo } from './roster.js';
-import { noteAnswer, wake } from './session.js';
-import { $, announce, state } from './state.js';
+import { goOn, noteAnswer } from './session.js';
+import { $, announce, nextTask, state } from './state.js';
 import { finishWithoutLearning, giveFeedback, lastCommand, leaveSession, remark, startSession, takeStepBack, tellRobot, thatWasIt, togglePause } from './training.js';
 import { spaced } from './words.js';
 
@@ -30,6 +30,8 @@ export async function say(written) {
   if (said === undefined) return;
   const { session } = state;
   if (said === 'command' || (said === 'again' && lastCommand)) {
+    // To hear a command takes as long as to find out that it is one.
+    await nextTask();
     if (await leaveSession()) tellRobot(said === 'again' ? lastCommand : words);
   } else if (session) toTheRobot(session, said, words);
   else if (said === 'undo' && state.robot.past.length) undo('past');
@@ -43,9 +45,9 @@ function toTheRobot(session, said, words) {
   const judges = said === 'reward' || said === 'punish';
   if (said === 'finish') thatWasIt();
   else if (said === 'correction') correct(session, words);
-  else if (judges && session.given && session.feedback === said) return;
+  else if (judges && session.said && session.feedback === said) return;
   else if (judges) giveFeedback(said);
-  else if (said === 'stop') (session.paused ? finishWithoutLearning : togglePause)();
+  else if (said === 'stop') (session.pace === 'paused' ? finishWithoutLearning : togglePause)();
   else if (said === 'undo') takeStepBack();
   else if (/^(yes|no|\d+)$/.test(said) && session.question) answer(said);
   else if (said === 'unjudged') announce(t('judge.nothing'));
@@ -66,6 +68,5 @@ export function judge(feedback) {
 function correct(session, words) {
   if (session.looking || attempt(() => (world.correct(words), true)) !== true) return;
   noteAnswer(session);
-  session.stepping = session.paused;
-  wake(session);
+  goOn(session);
 }

@@ -174,12 +174,12 @@ export function setUpTour() {
 
 export function renderTour() {
   const { at, done, watching, own } = state.tour;
+  $('tour').hidden = state.mode !== 'tour';
+  renderWordShelf(state.mode === 'play' ? state.secret !== 'open' : Boolean(stopAt()));
+  if (state.mode !== 'tour') return;
   const each = stops();
   const stop = each[at];
   const lessons = count(false);
-  $('tour').hidden = state.mode !== 'tour';
-  renderWordShelf(state.mode === 'play' ? state.secret !== 'open' : Boolean(stop));
-  if (state.mode !== 'tour') return;
   $('dots').dataset.about = own ? '' : t('tour.dotsShort');
   $('dots').replaceChildren(...each.map((one, index) => {
     const status = t(done[index] ? (done[index] === 'right' ? 'tour.status.right' : one.test || done[index] === 'astray' ? 'tour.status.wrong' : 'tour.status.learned') : index === at ? 'tour.status.now' : 'tour.status.later');

@@ -7,11 +7,11 @@ import { ask } from './dialog.js';
 import { percent, t } from './language.js';
 import { knowsWords, lessonLearned, unknownWords } from './learned.js';
 import { answerRecorded, beginAnew, learnFrom } from './logs.js';
-import { hasWords, isThere, keepSession, logNow, newSession, noteAnswer, pause, refresh, stopSession, timeOfStep, wake } from './session.js';
+import { goOn, hasWords, isThere, keepSession, logNow, newSession, noteAnswer, pause, refresh, stopSession, timeOfStep, wake } from './session.js';
 import { SPEEDS } from './settings.js';
 import { put, underWay } from './shelf.js';
 import { sound } from './sound.js';
-import { $, announce, inParts, nextFrame, render, state, tell } from './state.js';
+import { $, announce, inParts, nextFrame, nextTask, render, state, tell } from './state.js';
 import { enterStop, stopAt } from './stops.js';
 import { change, enterMode } from './store.js';
 import { acted, beliefNow, quoted, ranked, spaced, taskWords, unspaced } from './words.js';
@@ -133,7 +133,7 @@ export async function leaveSession() {
     stopSession();
     return true;
   }
-  if (!session.paused && !session.question) togglePause();
+  if (session.pace !== 'paused' && !session.question) togglePause();
   const answer = await ask(t('leave.ask', { command: unspaced(session.command) }), { learn: t('leave.learn'), drop: t('leave.drop'), stay: t('leave.stay') });
   if (answer === 'learn') await finishSession();
   else if (answer === 'drop') stopSession();
@@ -183,7 +183,7 @@ export async function takeUpSession(attend) {
   }
   refresh();
   keepSession(session);
-  session.paused = true;
+  session.pace = 'paused';
   state.session = session;
   if (state.mode === 'tour') attend(session);
   go(session);
@@ -193,7 +193,9 @@ export async function takeUpSession(attend) {
 
 async function go(session) {
   const { recorded } = session;
-  while (!session.over) {
+  // A robot of many lessons has taken long to hear the command. In the tour what stood there before is gone at once.
+  if (state.mode === 'play') await nextTask();
+  while (session.pace !== 'over') {
     takePick(session);
     while (recorded?.[0]?.type === 'answer') {
       attempt(() => answerRecorded(recorded.shift()));
@@ -201,11 +203,11 @@ async function go(session) {
     }
     state.phase = 'planning';
     const slow = setTimeout(render, 40);
-    await inParts(() => session.over || attempt(() => world.plan(PLAN_BUDGET)) !== false);
+    await inParts(() => session.pace === 'over' || attempt(() => world.plan(PLAN_BUDGET)) !== false);
     clearTimeout(slow);
-    if (session.over) return undefined;
+    if (session.pace === 'over') return undefined;
     const answered = await askTrainer(session);
-    if (session.over) return undefined;
+    if (session.pace === 'over') return undefined;
     if (answered) continue;
     world.drawFrom(state.settings.seed, session.steps);
     const step = recorded?.shift();
@@ -215,7 +217,7 @@ async function go(session) {
     session.decided = decided;
     if (!session.steps && !session.answers) heardAs(session);
     session.feedback = null;
-    session.given = false;
+    session.said = 0;
     refresh();
     state.phase = 'waiting';
     session.since = performance.now();
@@ -226,9 +228,9 @@ async function go(session) {
     if (delay > 300) announce(t('told.did', { did: acted(decided.action), speech: speech().join(' ') }));
     if (step || (session.intended !== null && !session.looking)) {
       if (delay > 0) await pause(session, delay * 0.55);
-      if (session.over) return undefined;
+      if (session.pace === 'over') return undefined;
       if (step) session.feedback = step.feedback;
-      else if (!session.given) session.feedback = world.simulatedFeedback(session.intended);
+      else if (!session.said) session.feedback = world.simulatedFeedback(session.intended);
       render();
       if (delay > 0 && step?.feedback !== 'neutral') await pause(session, delay * 0.45);
       else if (session.steps % 8 === 0) await nextFrame();
@@ -236,18 +238,15 @@ async function go(session) {
       if (delay > 0) await pause(session, delay);
       else await nextFrame();
     }
-    if (session.over) return undefined;
-    while (session.paused && !session.stepping) {
-      state.phase = 'paused';
+    if (session.pace === 'over') return undefined;
+    while (session.pace === 'paused') {
       render();
       await pause(session, Infinity);
-      if (session.over) return undefined;
     }
-    session.stepping = false;
-    if (session.undone) {
-      session.undone = false;
-      continue;
-    }
+    if (session.pace === 'over') return undefined;
+    if (session.pace === 'step') session.pace = 'paused';
+    // The step was taken back.
+    if (!session.decided) continue;
     commit(session);
     if (await ended(session)) return undefined;
   }
@@ -277,7 +276,7 @@ function takePick(session) {
 /** Whether a meaning can be picked now. */
 const mayPick = () => {
   const { session } = state;
-  return Boolean(session?.decided && !session.looking && !session.question && session.intended === null && (state.phase === 'waiting' || state.phase === 'paused'));
+  return Boolean(session?.decided && !session.looking && !session.question && session.intended === null && state.phase === 'waiting');
 };
 
 /** The trainer picks the meaning among the robot's tasks.
@@ -286,8 +285,7 @@ export function pick(name) {
   const { session } = state;
   if (!session || !mayPick() || !name) return;
   session.picked = name;
-  session.stepping = session.paused;
-  wake(session);
+  goOn(session);
 }
 
 // At its goal the robot waits for the trainer; otherwise as long as the speed says.
@@ -312,7 +310,7 @@ function commit(session) {
   session.times.push(timeOfStep(session));
   session.steps += 1;
   session.rests = session.decided.action === 'noop' ? session.rests + 1 : 0;
-  session.given = false;
+  session.said = 0;
   state.belief = beliefNow();
   keepSession(session);
 }
@@ -347,19 +345,18 @@ export function giveFeedback(feedback) {
     return;
   }
   // The same word once more takes it back; a double tap does not.
-  if (session.given && session.feedback === feedback && performance.now() - session.said > 600) {
+  if (session.said && session.feedback === feedback && performance.now() - session.said > 600) {
     takeBack();
     return;
   }
-  if (!session.given || session.feedback !== feedback) session.said = performance.now();
+  if (!session.said || session.feedback !== feedback) session.said = performance.now();
   session.feedback = feedback;
-  session.given = true;
   sound(feedback === 'reward' ? 'good' : 'bad');
   keepSession(session);
   announce(t('judge.given', { word: t(feedback === 'reward' ? 'train.good' : 'train.bad'), did: acted(session.decided.action) }));
   render();
   const waits = session.decided.action === 'noop' || state.settings.speed === 'step';
-  if (waits && !session.paused && session.intended === null && !session.looking) {
+  if (waits && session.pace !== 'paused' && session.intended === null && !session.looking) {
     clearTimeout(session.soon);
     session.soon = window.setTimeout(() => wake(session), 450);
   }
@@ -368,10 +365,10 @@ export function giveFeedback(feedback) {
 /** Withdraws the feedback to the last step. */
 export function takeBack() {
   const session = state.session;
-  if (!session || !session.given || session.question || state.phase === 'learning') return;
+  if (!session || !session.said || session.question || state.phase === 'learning') return;
   clearTimeout(session.soon);
   session.feedback = null;
-  session.given = false;
+  session.said = 0;
   keepSession(session);
   announce(t('judge.back'));
   render();
@@ -380,9 +377,9 @@ export function takeBack() {
 /** Takes back the feedback to the last step, or else that step, and waits. */
 export function takeStepBack() {
   const session = state.session;
-  if (session?.given) takeBack();
-  if (!session?.decided && !session?.undone || session.looking || session.question || state.phase === 'planning') return;
-  const pending = !session.undone;
+  if (session?.said) takeBack();
+  if (!session || session.looking || session.question || state.phase !== 'waiting') return;
+  const pending = Boolean(session.decided);
   if (!attempt(() => world.takeBack())) return;
   if (!pending) {
     session.steps -= 1;
@@ -390,7 +387,7 @@ export function takeStepBack() {
     // One for each line of the session's log, without its first and its last.
     session.times.length = world.log().trimEnd().split('\n').length - 2;
   }
-  Object.assign(session, { undone: true, decided: null, paused: true, rests: 0 });
+  Object.assign(session, { decided: null, pace: 'paused', rests: 0 });
   refresh();
   keepSession(session);
   announce(t('judge.back'));
@@ -401,7 +398,7 @@ export function takeStepBack() {
 export async function thatWasIt() {
   const session = state.session;
   if (!session || !session.decided || session.looking || session.question) return;
-  Object.assign(session, { feedback: 'reward', given: true, said: performance.now(), affirmed: true });
+  Object.assign(session, { feedback: 'reward', said: performance.now(), affirmed: true });
   sound('goal');
   await finishSession();
 }
@@ -409,30 +406,25 @@ export async function thatWasIt() {
 export function togglePause() {
   const session = state.session;
   if (!session || session.question) return;
-  session.paused = !session.paused;
-  if (session.paused) state.phase = 'paused';
-  else {
-    state.phase = 'waiting';
-    wake(session);
-  }
-  announce(t(session.paused ? 'judge.paused' : 'judge.goingOn'));
+  session.pace = session.pace === 'paused' ? 'going' : 'paused';
+  if (session.pace === 'going') wake(session);
+  announce(t(session.pace === 'paused' ? 'judge.paused' : 'judge.goingOn'));
   render();
 }
 
 export function stepOnce() {
   const session = state.session;
   if (!session || !session.decided || session.question) return;
-  session.stepping = true;
-  if (state.settings.speed !== 'step') session.paused = true;
-  wake(session);
+  if (state.settings.speed !== 'step') session.pace = 'paused';
+  goOn(session);
 }
 
 // Finish and learn.
 export async function finishSession() {
   const session = state.session;
   if (!session || session.looking || state.phase === 'learning') return;
-  if (session.decided && state.evidence.length === session.steps && session.feedback && session.given) commit(session);
-  session.over = true;
+  if (session.decided && state.evidence.length === session.steps && session.feedback && session.said) commit(session);
+  session.pace = 'over';
   clearTimeout(session.soon);
   wake(session);
   const heat = heatNow();
@@ -448,7 +440,6 @@ export async function finishSession() {
   const teaches = world.teaches();
   state.phase = 'learning';
   render();
-  if (session.onLearn) session.onLearn();
   try {
     // A negated command, and "again", have no words to learn.
     if (!teaches) {
@@ -474,8 +465,11 @@ export async function finishSession() {
     tell(t('session.failed', { why: error.message }), true);
   }
   underWay.put(null);
+  // All that follows a lesson would take too long at once.
+  await nextTask();
   state.heat = { now: heatNow(), before: heat };
   const learned = teaches ? lessonLearned(session.heardNew) : '';
+  await nextTask();
   state.said = [t('say.thanks'), learned];
   state.session = null;
   state.phase = 'none';

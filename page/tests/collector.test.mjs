@@ -77,6 +77,40 @@ test('twenty-five tables are one table and one plot; what is no such table is na
   await close(page);
 });
 
+test('a table is a QR code, too, and photos of codes are opened like tables', async () => {
+  const page = await open(browser);
+  await taught(page, 'Ada');
+  await page.click('#show-table');
+  await page.locator('#shared[open] #code').waitFor();
+  const code = await page.inputValue('#link');
+  assert.match(code, /^goodbot-table:/);
+  assert.ok(await page.isHidden('#copy-link'), 'it is no link');
+  await page.click('#close-link');
+  await close(page);
+  // Chromium reads codes on telephones and on some computers only, so that a reader of this test's own stands in for it. What stands on a photo is its bytes.
+  const teacher = await openIn(await browser.newContext(), '', () => {
+    Object.assign(window, {
+      createImageBitmap: photo => photo.text(),
+      BarcodeDetector: class {
+        async detect(text) {
+          if (text === 'damaged') throw new Error('no image');
+          return text.split(' ').map(rawValue => ({ rawValue }));
+        }
+      },
+    });
+  });
+  await opened(teacher, 'Settings, keeping, sharing');
+  assert.match(await teacher.getAttribute('#open-class', 'accept'), /image/);
+  const photo = (name, text) => ({ name, mimeType: 'image/jpeg', buffer: Buffer.from(text) });
+  await teacher.setInputFiles('#open-class', [photo('two.jpg', code + ' https://example.org ' + code), photo('garden.jpg', 'flowers'), photo('half.jpg', code.slice(0, 90)), photo('dark.jpg', 'damaged')]);
+  await teacher.locator('#class[open]').waitFor();
+  assert.match(await teacher.textContent('#toast'), /no tables of robots: garden\.jpg, half\.jpg, dark\.jpg/);
+  assert.deepEqual(await teacher.locator('#class-table tbody th').allTextContents(), ['Ada', 'Ada']);
+  const [, , lessons, , tests] = await teacher.locator('#class-table tbody tr').first().locator('> *').allTextContents();
+  assert.deepEqual([lessons, tests], ['1', '0 / 2']);
+  await close(teacher);
+});
+
 test('for the next group one tap saves the table and empties the robot, its lessons and its tests', async () => {
   const page = await open(browser);
   await taught(page, 'Ada');

@@ -101,7 +101,7 @@ test('slow, normal and fast differ in how long the robot waits', async () => {
     waits.push(await wait(page));
     await page.click('#drop');
   }
-  assert.deepEqual(waits, [2600, 1400, 380]);
+  assert.deepEqual(waits, [2600, 1400, 400]);
   await close(page);
 });
 

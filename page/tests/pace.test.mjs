@@ -24,12 +24,17 @@ const longLog = page => page.evaluate(count => {
   }).join('\n') + '\n';
 }, LESSONS);
 
-test('after two hundred lessons, what to teach next is sought where it is seen, two lessons at a time', async () => {
-  const page = await open(browser);
+// A robot that has learned that log, in free play.
+async function experienced(page) {
   const log = await longLog(page);
   await opened(page, 'Settings, keeping, sharing');
   await page.setInputFiles('#load-log', { name: 'many.jsonl', mimeType: 'application/jsonl', buffer: Buffer.from(log) });
   await page.waitForFunction(count => window.goodbot.sessions() === count && document.body.dataset.phase === 'none', LESSONS);
+}
+
+test('after two hundred lessons, what to teach next is sought where it is seen, two lessons at a time', async () => {
+  const page = await open(browser);
+  await experienced(page);
   await page.evaluate(() => {
     Object.assign(window, { calls: [] });
     const { nextLesson } = Object.getPrototypeOf(window.goodbot);
@@ -53,5 +58,58 @@ test('after two hundred lessons, what to teach next is sought where it is seen, 
   });
   await page.waitForTimeout(300);
   assert.deepEqual(await page.evaluate(() => window.calls), [], 'where nobody sees it, it is not worked out');
+  await close(page);
+});
+
+// Calls of the core that take long, each with the number of the task that makes it.
+const inTasks = (page, names) => page.evaluate(all => {
+  Object.assign(window, { tasks: Object.fromEntries(all.map(name => [name, []])) });
+  // The page ends a task by a message to itself or by a frame.
+  let task = 0;
+  const counted = (owner, name) => {
+    const whole = owner[name];
+    owner[name] = function (...values) {
+      task += 1;
+      return whole.apply(this, values);
+    };
+  };
+  counted(MessagePort.prototype, 'postMessage');
+  counted(window, 'requestAnimationFrame');
+  for (const name of all) {
+    const whole = Object.getPrototypeOf(window.goodbot)[name];
+    Object.getPrototypeOf(window.goodbot)[name] = function (...values) {
+      window.tasks[name].push(task);
+      return whole.apply(this, values);
+    };
+  }
+}, names);
+
+test('a command and the end of a lesson do their work in several parts, because a telephone would stand still for all at once', async () => {
+  const page = await open(browser);
+  await experienced(page);
+  await play(page, 'A');
+  await page.selectOption('#speed', 'step');
+  await page.waitForFunction(() => document.getElementById('next-card').ariaBusy === 'false');
+  await inTasks(page, ['said', 'listen', 'plan', 'learn', 'save', 'heat', 'hear', 'nextLesson']);
+  const slow = await page.context().newCDPSession(page);
+  await slow.send('Emulation.setCPUThrottlingRate', { rate: 6 });
+  await page.evaluate(() => {
+    Object.assign(window, { blocks: [] });
+    new PerformanceObserver(list => window.blocks.push(...list.getEntries().map(({ duration }) => duration))).observe({ type: 'longtask' });
+  });
+  const blocks = async what => console.log(what + ': at most ' + Math.round(Math.max(0, ...await page.evaluate(() => window.blocks.splice(0)))) + ' ms at a time on a machine that is six times slower');
+  await page.fill('#command', 'go to the green room');
+  await page.click('#say-it');
+  await page.getByText('Good or Bad?').waitFor();
+  await blocks('a command');
+  const heard = await page.evaluate(() => window.tasks);
+  assert.ok(heard.said[0] < heard.listen[0] && heard.listen[0] < heard.plan[0], JSON.stringify(heard));
+  await page.click('#finish');
+  await page.waitForFunction(count => window.goodbot.sessions() === count && document.body.dataset.phase === 'none' && document.getElementById('next-card').ariaBusy === 'false', LESSONS + 1);
+  await page.locator('#ideas button').first().waitFor();
+  await blocks('the end of a lesson');
+  const { save, heat, hear, nextLesson } = await page.evaluate(() => window.tasks);
+  assert.ok(save.at(-1) < heat.at(-1), 'the dictionary is read after it is kept: ' + [save, heat]);
+  assert.ok(heat.at(-1) < hear[0] && heat.at(-1) < nextLesson[0], 'ideas and the next lesson are sought after that: ' + [heat, hear, nextLesson]);
   await close(page);
 });

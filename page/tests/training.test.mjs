@@ -138,3 +138,33 @@ test('finishing without learning leaves the model as it was', async () => {
   assert.deepEqual(await model(page), old);
   await close(page);
 });
+
+test('a pause while the robot still plans takes no word for a step that is over', async () => {
+  const page = await open(browser);
+  await play(page, 'A');
+  await page.selectOption('#speed', 'step');
+  await page.fill('#command', 'go to the red room');
+  await page.click('#say-it');
+  await page.getByText('Good or Bad?').waitFor();
+  // The next plan takes as long as this test needs.
+  await page.evaluate(() => {
+    const { plan } = Object.getPrototypeOf(window.goodbot);
+    Object.assign(window, { isHeldUp: true });
+    Object.getPrototypeOf(window.goodbot).plan = function (budget) { return !window.isHeldUp && plan.call(this, budget); };
+  });
+  await page.click('#next');
+  await page.waitForSelector('body[data-phase=planning]');
+  for (const label of ['Go on', 'Pause']) {
+    await page.click('#pause');
+    assert.equal(await page.textContent('#pause'), label);
+    assert.equal(await page.getAttribute('body', 'data-phase'), 'planning');
+    assert.equal(await page.getAttribute('#good', 'aria-disabled'), 'true');
+  }
+  await page.keyboard.press('g');
+  await page.click('#pause');
+  await page.evaluate(() => { window.isHeldUp = false; });
+  await page.getByText('Good or Bad?').waitFor();
+  assert.equal(await page.getAttribute('#good', 'aria-pressed'), 'false');
+  assert.equal(await page.textContent('#pause'), 'Go on', 'it is paused at the next step');
+  await close(page);
+});

@@ -27,6 +27,7 @@ test('what is suggested can be done and is not done yet, in every home', async (
   const page = await open(browser);
   for (const home of ['A', 'B', 'C', 'D', 'E', 'F', 'Test']) {
     await play(page, home);
+    await page.locator('#ideas button').nth(1).waitFor();
     const ideas = await page.locator('#ideas button').allTextContents();
     assert.ok(ideas.length >= 2, home + ': ' + ideas);
     const here = await page.evaluate(() => {

@@ -26,12 +26,11 @@ fn read(folder: &Path, name: &str) -> Result<String> {
 }
 
 /// Puts the first script, and the parts packed together, into the `index.html` of `folder`.
-pub fn assemble(folder: &Path, parts: &[(&str, &[u8])], script: &str) -> Result<Page> {
+pub fn assemble(folder: &Path, parts: &[&[u8]], script: &str) -> Result<Page> {
     let script = escaped(script);
-    let whole: Vec<u8> = parts.iter().flat_map(|(_, part)| *part).copied().collect();
-    let packed = packed(&whole)?;
+    let packed = packed(&parts.concat())?;
     let mut html = read(folder, "index.html")?;
-    let sizes = parts.iter().map(|(_, part)| part.len().to_string()).collect::<Vec<_>>().join(" ");
+    let sizes = parts.iter().map(|part| part.len().to_string()).collect::<Vec<_>>().join(" ");
     for (mark, text) in [("/*SIZES*/", &sizes), ("/*SCRIPT*/", &script), ("<!--PACKED-->", &packed)] {
         if html.matches(mark).count() != 1 {
             bail!("page/index.html must have {mark} once");

@@ -7,9 +7,9 @@
 mod assemble;
 mod budget;
 mod languages;
-mod order;
 mod pack;
 mod scripts;
+mod split;
 
 use std::path::{Path, PathBuf};
 
@@ -35,20 +35,19 @@ fn main() -> Result<()> {
     let texts = languages::read(&source.join("languages"))?.number(&mut scripts.others, &mut body)?;
     let wasm = scripts::packable(&source, &wasm, node)?;
     let module = std::fs::read(&wasm).with_context(|| format!("{} cannot be read", wasm.display()))?;
+    let split::Split { before, parts: code, behind } = split::split(&module)?;
+    let texts = [&scripts.others, &body, &scripts.style, &texts].map(String::as_bytes);
     // In the order in which page/src/begin.js takes them. They pack best so.
-    let parts: [(&str, &[u8]); 5] = [
-        ("the module", &module),
-        ("the scripts with the glue", scripts.others.as_bytes()),
-        ("the body", body.as_bytes()),
-        ("the style", scripts.style.as_bytes()),
-        ("the texts", texts.as_bytes()),
-    ];
+    let parts: Vec<&[u8]> =
+        [before.as_slice()].into_iter().chain(code.iter().map(Vec::as_slice)).chain([behind.as_slice()]).chain(texts).collect();
     let page = assemble::assemble(&source, &parts, &scripts.begin)?;
     if let Some(dist) = out.parent() {
         std::fs::create_dir_all(dist).with_context(|| format!("{} cannot be made", dist.display()))?;
     }
     std::fs::write(out, &page.html).with_context(|| format!("{} cannot be written", out.display()))?;
-    budget::check(&page, &parts, with_messages)
+    let names = ["the scripts with the glue", "the body", "the style", "the texts"];
+    let sizes: Vec<_> = [("the module", module.len())].into_iter().chain(names.into_iter().zip(texts.map(<[u8]>::len))).collect();
+    budget::check(&page, &sizes, with_messages)
 }
 
 /// Generates the page's module, its glue and the glue's types in `folder`. Returns the module's path.

@@ -6,8 +6,6 @@ use std::process::Command;
 use anyhow::{Context, Result, bail};
 use serde_json::json;
 
-use crate::order;
-
 /// The page's scripts and its style, made small.
 pub struct Scripts {
     /// The script that expands the packed parts.
@@ -42,19 +40,15 @@ pub fn bundle(page: &Path, generated: &Path, node: &Path) -> Result<Scripts> {
     Ok(Scripts { begin: read(&begin)?, others: read(&others)?, style: read(&style)? })
 }
 
-/// The module without unused parts and duplicate functions, written so that it packs well, with similar functions near each other.
-/// Binaryen's other passes make the module itself smaller, but larger when packed.
+/// The module without unused parts and duplicate functions, written so that it packs well. Binaryen's other passes make the module itself smaller, but larger when packed.
 pub fn packable(page: &Path, module: &Path, node: &Path) -> Result<PathBuf> {
-    let [named, small] = ["named.wasm", "small.wasm"].map(|end| module.with_extension(end));
-    let read = std::fs::read(module).with_context(|| format!("{} cannot be read", module.display()))?;
-    std::fs::write(&named, order::named(&read)?).with_context(|| format!("{} cannot be written", named.display()))?;
+    let small = module.with_extension("small.wasm");
     // The lowest kilobyte of memory is the end of the stack, so an address may have its constant as an offset.
     let passes = "low-memory-unused remove-unused-brs remove-unused-names merge-blocks optimize-instructions dealign remove-unused-module-elements \
-        duplicate-function-elimination rse vacuum remove-unused-brs optimize-instructions vacuum optimize-added-constants reorder-locals \
-        reorder-functions-by-name strip-target-features";
+        duplicate-function-elimination rse vacuum remove-unused-brs optimize-instructions vacuum optimize-added-constants reorder-locals strip-target-features";
     let mut optimizer = Command::new(node);
     optimizer.arg(page.join("node_modules/binaryen/bin/wasm-opt")).args(passes.split(' ').map(|pass| format!("--{pass}")));
-    run(optimizer.arg(&named).arg("-o").arg(&small), "binaryen cannot make the module smaller")?;
+    run(optimizer.arg(module).arg("-o").arg(&small), "binaryen cannot make the module smaller")?;
     Ok(small)
 }
 
