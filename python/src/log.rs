@@ -1,25 +1,24 @@
 //! Recorded sessions: read, written, and replayed.
 
 use crate::agent::{Agent, feedback_of};
-use crate::arrays::array;
 use crate::error::{self, format, value};
 use crate::home::{Home, Rooms};
-use crate::items::Items;
 use crate::mind::{Mind, PART, warn};
+use crate::options::{Items, array};
 use crate::world::World;
 use goodbot::Capacities;
 use goodbot::home::{HomeState, Moves};
 use goodbot::oomdp::Domain;
-use goodbot_console::load::content::Content;
+use goodbot_console::load::input::Content;
 use goodbot_formats::FormatError;
 use goodbot_formats::environment::EnvironmentFile;
 use goodbot_formats::session::{FeedbackWord, Kind, RecordedSession, SessionHeader, SessionReader, StepRecord};
 use goodbot_formats::task_text::{GroundAtomText, GroundTaskText};
 use goodbot_formats::world::{Line, SessionInWorld, WorldReader};
 use goodbot_lesson::checked::{CheckedSession, check_steps, moves};
-use goodbot_lesson::recording::word;
+use goodbot_lesson::place::word;
 use goodbot_lesson::replay::{Event, Replay, Rules};
-use goodbot_lesson::world::checked as in_world;
+use goodbot_lesson::world as in_world;
 use goodbot_lesson::world::robot::Tables;
 use goodbot_lesson::{Fault, home};
 use pyo3::prelude::*;

@@ -2,10 +2,8 @@
 
 use crate::error::{self, SessionError, value};
 use crate::home as home_of;
-use crate::kinds::Kinds;
-use crate::names::task_name;
+use crate::options::{Kinds, Random, task_name};
 use crate::place::{Place, in_place};
-use crate::random::Random;
 use crate::robot::Robot;
 use crate::world::World;
 use goodbot::feedback::Strategy;
@@ -17,7 +15,7 @@ use goodbot::{Agent as Core, AgentError, Capacities, Options};
 use goodbot_lesson::checked::CheckedSession;
 use goodbot_lesson::first_words::{Long, read};
 use goodbot_lesson::kept_kinds;
-use goodbot_lesson::voice::Voice;
+use goodbot_lesson::live::Voice;
 use pyo3::exceptions::PyUserWarning;
 use pyo3::prelude::*;
 use pyo3::types::PyString;

@@ -23,18 +23,14 @@
 
 pub mod asking;
 pub mod bindings;
-pub mod cells;
 pub mod course;
-mod json;
 mod log;
-pub mod next;
 pub mod replay;
 pub mod route;
 pub mod starter;
 pub mod talk;
 pub mod training;
 pub mod view;
-pub mod words;
 pub mod world;
 
 pub use world::{Refusal, World};

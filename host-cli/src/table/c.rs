@@ -1,7 +1,7 @@
 //! A robot as C.
 
-use super::source::{Part, Source};
-use crate::size::source::c_table;
+use super::{Part, Source};
+use crate::size::c_table;
 use goodbot::task::LiftedTask;
 use goodbot_capi::memory::bytes_32;
 use goodbot_lesson::world::robot::{DigitAt, WorldFlaw};

@@ -1,7 +1,7 @@
 //! A robot in Rust.
 
-use super::source::{Part, Source};
-use crate::size::source::rust_fields;
+use super::{Part, Source};
+use crate::size::rust_fields;
 use goodbot_lesson::world::robot::DigitAt;
 use std::fmt::Write;
 

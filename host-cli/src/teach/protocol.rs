@@ -1,24 +1,19 @@
 //! Teaching without a terminal: one request on each input line, one JSON object on each output line. docs/teach.md describes both.
 
-mod lines;
-
-use crate::teach::classroom::Classroom;
-use crate::teach::kept::Kept;
-use crate::teach::lessons::random_home;
-use crate::teach::next_lesson::Next;
-use crate::teach::pupil::{Meaning, Reaction};
-use crate::teach::table::Table;
+use super::classroom::Classroom;
+use super::kept::Kept;
+use super::lessons::{Next, random_home};
+use super::pupil::{Meaning, Reaction};
+use super::site::Table;
 use goodbot::asking::{Answer, Asking};
 use goodbot::feedback::Feedback;
 use goodbot::session::Evidence;
-use goodbot::talk::Class;
-use goodbot::talk::Said;
-use goodbot_console::outcome::Failure;
+use goodbot::talk::{Class, Said};
+use goodbot_console::Failure;
 use goodbot_formats::environment::{EnvironmentFile, ObjectRecord};
 use goodbot_lesson::asking::answer_of;
-use lines::Lines;
 use serde_json::{Map, Value, json};
-use std::io::{self, BufRead, Write};
+use std::io::{self, BufRead, Read as _, Write};
 
 /// The version of the protocol.
 const PROTOCOL: u32 = 2;
@@ -561,4 +556,42 @@ fn facts(table: &Table) -> Value {
 /// The shortest number that reads back as the same probability.
 fn number(probability: f32) -> Value {
     probability.to_string().parse::<f64>().map_or(Value::Null, |number| json!(number))
+}
+
+/// The longest accepted line, in bytes.
+const LONGEST_LINE: u64 = 1 << 20;
+
+/// After this many further bytes without a line end, reading stops.
+const NO_LINE: u64 = 64 << 20;
+
+/// Lines of bounded length.
+pub struct Lines<R> {
+    input: R,
+    /// Whether reading stopped in a line without an end.
+    endless: bool,
+}
+
+impl<R: BufRead> Lines<R> {
+    /// The lines of an input.
+    pub const fn new(input: R) -> Self {
+        Self { input, endless: false }
+    }
+
+    /// The next line, or the reason why it cannot be read.
+    pub fn next(&mut self) -> io::Result<Option<Result<String, &'static str>>> {
+        let mut line = Vec::new();
+        if self.endless || self.input.by_ref().take(LONGEST_LINE + 1).read_until(b'\n', &mut line)? == 0 {
+            return Ok(None);
+        }
+        if line.last() == Some(&b'\n') {
+            line.pop();
+        } else if line.len() as u64 > LONGEST_LINE {
+            self.endless = self.input.by_ref().take(NO_LINE).skip_until(b'\n')? as u64 == NO_LINE;
+            return Ok(Some(Err(match self.endless {
+                true => "this line has no end, and nothing more is read",
+                false => "this line is longer than 1 MiB",
+            })));
+        }
+        Ok(Some(String::from_utf8(line).map_err(|_| "this line is no text in UTF-8")))
+    }
 }
