@@ -23,7 +23,7 @@
 pub mod environment;
 mod error;
 mod json;
-mod lines;
+pub mod lines;
 pub mod map;
 pub mod microbit;
 pub mod posterior;

@@ -15,7 +15,7 @@ use goodbot::oomdp::{Action, Domain, Schema};
 use goodbot::planning::Progress;
 use goodbot::session::{Evidence, Phase};
 use goodbot::snapshot::Contents;
-use goodbot::symbols::Symbol;
+use goodbot::symbols::{Symbol, SymbolsRef};
 use goodbot::talk::{ClosedWords, Conversation, Said, Verdict};
 use goodbot::task::TaskSet;
 use goodbot::{AgentError, Capacities, Options};
@@ -762,7 +762,7 @@ impl Agent {
     fn words(&self) -> PyResult<Vec<String>> {
         self.with(|mind| {
             let language = mind.core.language();
-            Ok(language.words().iter().take(language.tables().words()).map(|(_, text)| text.to_owned()).collect())
+            Ok(texts(language.words(), language.tables().words()))
         })
     }
 
@@ -778,7 +778,7 @@ impl Agent {
     fn tokens(&self) -> PyResult<Vec<String>> {
         self.with(|mind| {
             let language = mind.core.language();
-            Ok(language.tokens().iter().take(language.tables().tokens()).map(|(_, text)| text.to_owned()).collect())
+            Ok(texts(language.tokens(), language.tables().tokens()))
         })
     }
 
@@ -905,6 +905,11 @@ impl Agent {
 #[pyfunction]
 pub fn words(py: Python<'_>, command: &str) -> PyResult<Vec<String>> {
     heard(Options::DEFAULT.language.model, words_read(py, command)?).map_err(|refused| error::full(py, refused))
+}
+
+/// The first symbols of a table.
+fn texts(symbols: SymbolsRef<'_>, count: usize) -> Vec<String> {
+    symbols.iter().take(count).map(|(_, text)| text.to_owned()).collect()
 }
 
 const fn kind_name(kind: goodbot::task::RoleKind) -> &'static str {

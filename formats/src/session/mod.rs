@@ -140,9 +140,9 @@ const MOST_PASSED_OVER: usize = 100_000;
 /// let session = r#"{"type":"session","version":1,"kind":"demonstration","environment":{"version":1,"objects":[]},"command":"go"}"#;
 /// let log = [session, r#"{"type":"step"}"#, r#"{"type":"end","learn":true}"#,
 ///            session, r#"{"type":"end","learn":true}"#].join("\n");
-/// let mut reader = SessionReader::new(log.as_bytes()).with_file("log.jsonl");
+/// let mut reader = SessionReader::new(log.as_bytes());
 /// assert_eq!(
-///     reader.next().unwrap().unwrap_err().to_string(),
+///     reader.next().unwrap().unwrap_err().with_file("log.jsonl").to_string(),
 ///     r#"log.jsonl:2: field "action": is missing; add it"#
 /// );
 /// assert_eq!(reader.next().unwrap().unwrap().header_line, 4);
@@ -150,7 +150,6 @@ const MOST_PASSED_OVER: usize = 100_000;
 /// ```
 pub struct SessionReader<R> {
     lines: Lines<R>,
-    file: Option<String>,
     /// The next session's header, which came before the end of the last session.
     pending: Option<Result<(usize, Box<SessionHeader>), FormatError>>,
     last: Last,
@@ -176,13 +175,7 @@ struct Failure {
 impl<R: BufRead> SessionReader<R> {
     /// A reader of this log.
     pub fn new(input: R) -> Self {
-        SessionReader { lines: Lines::new(input), file: None, pending: None, last: Last::Start }
-    }
-
-    /// The same reader, with the file's name in its errors.
-    pub fn with_file(mut self, file: impl Into<String>) -> Self {
-        self.file = Some(file.into());
-        self
+        SessionReader { lines: Lines::new(input), pending: None, last: Last::Start }
     }
 
     /// The record on the next line that is not blank.
@@ -290,7 +283,7 @@ impl<R: BufRead> Iterator for SessionReader<R> {
     type Item = Result<RecordedSession, FormatError>;
 
     fn next(&mut self) -> Option<Self::Item> {
-        let mut result = self.session()?;
+        let result = self.session()?;
         self.last = match &result {
             Ok(session) => {
                 let header = &session.header;
@@ -298,9 +291,6 @@ impl<R: BufRead> Iterator for SessionReader<R> {
             }
             Err(_) => Last::Broken,
         };
-        if let (Err(error), Some(file)) = (&mut result, &self.file) {
-            error.file = Some(file.clone());
-        }
         Some(result)
     }
 }

@@ -171,8 +171,7 @@ fn tell_json(file: &str, found: &Findings) -> std::io::Result<()> {
 fn check(file: &InputFile, lifted: &[LiftedTask], limit: Limit) -> Result<Findings, Fault> {
     let name = input::name(file);
     let mut opened = input::open(file)?;
-    let unreadable = |error: std::io::Error| Fault::new(name, format!("cannot be read ({error}); check its name and that you may read it"));
-    let content = Content::of(opened.fill_buf().map_err(unreadable)?);
+    let content = Content::of(opened.fill_buf().map_err(input::unreadable(name))?);
     if matches!(content, Content::Log | Content::Worlds) && std::fs::metadata(file).is_ok_and(|it| it.len() > LONG) {
         say!("{name}: has more than {} MB, every line of which is checked; --limit N checks the first N sessions alone", LONG / 1_000_000);
     }
@@ -344,11 +343,12 @@ fn check_worlds(file: &str, mut opened: impl BufRead, limit: Limit) -> Result<Fi
 
 /// Everything up to the end of the first line that is not blank, and whether more follows.
 fn first_line(file: &str, opened: &mut impl BufRead) -> Result<(Vec<u8>, bool), Fault> {
-    let unreadable = |error: std::io::Error| Fault::new(file, format!("cannot be read ({error}); check its name and that you may read it"));
     let mut head = Vec::new();
-    while head.trim_ascii().is_empty() && opened.by_ref().take(MOST_BYTES).read_until(b'\n', &mut head).map_err(unreadable)? > 0 {}
+    while head.trim_ascii().is_empty()
+        && opened.by_ref().take(MOST_BYTES).read_until(b'\n', &mut head).map_err(input::unreadable(file))? > 0
+    {}
     while (head.len() as u64) < MOST_BYTES {
-        let rest = opened.fill_buf().map_err(unreadable)?;
+        let rest = opened.fill_buf().map_err(input::unreadable(file))?;
         if rest.is_empty() {
             return Ok((head, false));
         }

@@ -162,3 +162,8 @@ impl<'w> Source<'w> {
         self.objects.iter().map(row).collect()
     }
 }
+
+/// A list in source code.
+fn list(items: impl Iterator<Item = String>) -> String {
+    items.collect::<Vec<_>>().join(", ")
+}

@@ -145,7 +145,7 @@ pub fn run(options: &TeachOptions) -> Result<(), Failure> {
 
 /// A visit in the terminal.
 fn visit(classroom: Classroom, pace: Pace, seed: u64) -> Result<(), Failure> {
-    let palette = if is_colored() { Palette::of(|name| std::env::var(name).ok()) } else { Palette::None };
+    let palette = if is_colored() { Palette::of_terminal() } else { Palette::None };
     let mut visit = Visit::new(classroom, pace, seed);
     let shown = terminal::show(&mut visit, palette);
     // Learning is completed, and a session under way goes to the log.

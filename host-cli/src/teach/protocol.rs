@@ -11,9 +11,10 @@ use goodbot::session::Evidence;
 use goodbot::talk::{Class, Said};
 use goodbot_console::Failure;
 use goodbot_formats::environment::{EnvironmentFile, ObjectRecord};
+use goodbot_formats::lines::Lines;
 use goodbot_lesson::asking::answer_of;
 use serde_json::{Map, Value, json};
-use std::io::{self, BufRead, Read as _, Write};
+use std::io::{self, BufRead, Write};
 
 /// The version of the protocol.
 const PROTOCOL: u32 = 2;
@@ -90,21 +91,15 @@ pub fn speak(classroom: &mut Classroom, seed: u64, input: impl BufRead, mut outp
     let mut speaker = Speaker { classroom, seed };
     let mut spoken = Spoken::default();
     write(&mut output, &[speaker.ready()])?;
-    let mut lines = Lines::new(input);
-    while let Some(line) = lines.next()? {
-        let line = match line {
-            Ok(line) if line.trim().is_empty() => continue,
-            Ok(line) => line,
-            Err(message) => {
-                spoken.refused += 1;
-                write(&mut output, &[error(message, "send a shorter line of text in UTF-8"), done()])?;
-                continue;
-            }
+    for line in Lines::new(input) {
+        let request = line.text.trim();
+        let answered = match line.error {
+            Some(unread) => refused(&unread.problem, "send a shorter line of text in UTF-8"),
+            None if request.is_empty() => continue,
+            None if request == "quit" => break,
+            None => speaker.answer(request),
         };
-        if line.trim() == "quit" {
-            break;
-        }
-        let mut answers = speaker.answer(line.trim()).unwrap_or_else(|Misunderstood { message, instead }| {
+        let mut answers = answered.unwrap_or_else(|Misunderstood { message, instead }| {
             spoken.refused += 1;
             vec![error(&message, instead)]
         });
@@ -556,42 +551,4 @@ fn facts(table: &Table) -> Value {
 /// The shortest number that reads back as the same probability.
 fn number(probability: f32) -> Value {
     probability.to_string().parse::<f64>().map_or(Value::Null, |number| json!(number))
-}
-
-/// The longest accepted line, in bytes.
-const LONGEST_LINE: u64 = 1 << 20;
-
-/// After this many further bytes without a line end, reading stops.
-const NO_LINE: u64 = 64 << 20;
-
-/// Lines of bounded length.
-pub struct Lines<R> {
-    input: R,
-    /// Whether reading stopped in a line without an end.
-    endless: bool,
-}
-
-impl<R: BufRead> Lines<R> {
-    /// The lines of an input.
-    pub const fn new(input: R) -> Self {
-        Self { input, endless: false }
-    }
-
-    /// The next line, or the reason why it cannot be read.
-    pub fn next(&mut self) -> io::Result<Option<Result<String, &'static str>>> {
-        let mut line = Vec::new();
-        if self.endless || self.input.by_ref().take(LONGEST_LINE + 1).read_until(b'\n', &mut line)? == 0 {
-            return Ok(None);
-        }
-        if line.last() == Some(&b'\n') {
-            line.pop();
-        } else if line.len() as u64 > LONGEST_LINE {
-            self.endless = self.input.by_ref().take(NO_LINE).skip_until(b'\n')? as u64 == NO_LINE;
-            return Ok(Some(Err(match self.endless {
-                true => "this line has no end, and nothing more is read",
-                false => "this line is longer than 1 MiB",
-            })));
-        }
-        Ok(Some(String::from_utf8(line).map_err(|_| "this line is no text in UTF-8")))
-    }
 }

@@ -199,7 +199,8 @@ pub fn rest(file: &str, opened: impl Read) -> Result<Vec<u8>, Fault> {
     Ok(bytes)
 }
 
-fn unreadable(file: &str) -> impl FnOnce(std::io::Error) -> Fault {
+/// The fault of a file that cannot be read.
+pub fn unreadable(file: &str) -> impl FnOnce(std::io::Error) -> Fault {
     move |error| Fault::new(file, format!("cannot be read ({error}); check its name and that you may read it"))
 }
 
