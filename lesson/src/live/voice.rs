@@ -90,7 +90,7 @@ impl<D: Place> Lesson<D> {
     /// Counts the words said along with a button.
     ///
     /// # Errors
-    /// The errors of [`Voice::learn`](crate::voice::Voice::learn).
+    /// The errors of [`Voice::learn`].
     pub fn learn_voice(&mut self, words: &str, feedback: Feedback) -> Result<(), LiveError> {
         Ok(self.voice.learn(words, feedback, self.closed)?)
     }
