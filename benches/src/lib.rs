@@ -1,4 +1,4 @@
-//! The benchmarks and how they are measured: one list for time, instructions, plots and comparisons.
+//! The benchmarks and how they are measured: one list for time, plots and comparisons.
 
 #![deny(missing_docs)]
 

@@ -6,9 +6,8 @@ use std::time::Duration;
 use goodbot::language::{LanguageModel, Settings};
 use goodbot::memory::AgentHeap;
 use goodbot_benches::timing::{in_turn, median, ratio, time};
-use goodbot_console::learner::Learner;
-use goodbot_console::numbers::name_of;
 use goodbot_console::training_data::{Lesson, training, worlds};
+use goodbot_console::{Learner, name_of};
 use serde_json::json;
 
 /// The commands in a world.

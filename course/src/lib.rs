@@ -3,7 +3,7 @@
 //! | module | contents |
 //! |---|---|
 //! | [`exercise`] | the commands, each with its meaning and its home |
-//! | [`layout`] | the homes: [drawn](layout::fixed), or [at random](layout::random) for each seed |
+//! | [`layout`] | the homes: drawn, or [at random](layout::random) for each seed |
 //! | [`trainer`] | the simulated trainers |
 //! | [`lesson`] | one lesson: command, actions, feedback, and when the trainer ends it |
 //! | [`course`] | the whole course, and its observers |

@@ -4,17 +4,12 @@
 //! the checked text, so its address gives its line. `serde_json`'s reader would also cost the page 8.8 KB packed; a test compares both on
 //! more than 10,000 texts.
 
-use crate::error::{EMPTY, FormatError, KNOWN_VERSIONS, no_probability, not_json};
-use crate::quoted::excerpt;
-use crate::quoted::quoted;
-use crate::task_text::TaskTextError;
-use std::str::FromStr;
-
 mod scan;
-mod source;
 
-use scan::Member;
-pub(crate) use source::Source;
+use crate::error::{EMPTY, FormatError, KNOWN_VERSIONS, excerpt, no_probability, not_json, quoted};
+use crate::task_text::TaskTextError;
+use scan::{JsonFault, Member};
+use std::str::FromStr;
 
 /// A value in a text.
 #[derive(Clone)]
@@ -227,4 +222,53 @@ impl<'a> Object<'a> {
     fn member(&self, member: &Member<'a>) -> Node<'a> {
         Node { source: self.node.source, raw: member.value, path: self.node.field(&member.name) }
     }
+}
+
+/// A JSON text and the number of its first line.
+pub(crate) struct Source<'a> {
+    text: &'a str,
+    first_line: usize,
+}
+
+impl<'a> Source<'a> {
+    pub(crate) fn new(text: &'a str, first_line: usize) -> Self {
+        Source { text, first_line }
+    }
+
+    /// The text's one value, if the text is JSON.
+    pub(crate) fn root(&'a self) -> Result<Node<'a>, FormatError> {
+        if self.text.trim().is_empty() {
+            return Err(FormatError::new(self.first_line, "there is nothing here; give a file with a JSON text"));
+        }
+        match scan::whole(self.text) {
+            Ok(raw) => Ok(Node { source: self, raw, path: String::new() }),
+            Err(JsonFault { at, message }) => {
+                let problem = message.map_or_else(
+                    || "the text ends in the middle of a value; complete it, or remove what is left of it".to_owned(),
+                    not_json,
+                );
+                let (line, column) = self.place_of(at);
+                let mut error = FormatError::new(line, problem);
+                error.column = Some(column);
+                Err(error)
+            }
+        }
+    }
+
+    /// The line and the column of a slice of the text.
+    pub(super) fn place(&self, slice: &str) -> (usize, usize) {
+        self.place_of((slice.as_ptr() as usize).saturating_sub(self.text.as_ptr() as usize))
+    }
+
+    fn place_of(&self, offset: usize) -> (usize, usize) {
+        let before = &self.text.as_bytes()[..offset.min(self.text.len())];
+        let line_start = before.iter().rposition(|&b| b == b'\n').map_or(0, |i| i + 1);
+        let lines = before.iter().filter(|&&b| b == b'\n').count();
+        (self.first_line + lines, 1 + characters(&before[line_start..]))
+    }
+}
+
+/// The number of characters in these bytes of a UTF-8 text.
+fn characters(bytes: &[u8]) -> usize {
+    bytes.iter().filter(|&&b| b & 0xC0 != 0x80).count()
 }

@@ -23,15 +23,13 @@
 pub mod environment;
 mod error;
 mod json;
-mod lines;
+pub mod lines;
 pub mod map;
 pub mod microbit;
 pub mod posterior;
-mod quoted;
 pub mod session;
 pub mod task_text;
 mod weights;
 pub mod world;
 
-pub use error::{FormatError, KNOWN_VERSIONS, NOT_UTF8};
-pub use quoted::quoted;
+pub use error::{FormatError, KNOWN_VERSIONS, NOT_UTF8, quoted};

@@ -11,21 +11,25 @@ pub const MAX_LINE_BYTES: usize = 16 << 20;
 const MOST_PASSED_OVER: u64 = 8 * MAX_LINE_BYTES as u64;
 
 /// A file, line by line.
-pub(crate) struct Lines<R> {
+pub struct Lines<R> {
     input: R,
     read: usize,
     failed: bool,
 }
 
 /// A line and its number. A line with an error has the text that could be read.
-pub(crate) struct Line {
-    pub(crate) number: usize,
-    pub(crate) text: String,
-    pub(crate) error: Option<FormatError>,
+pub struct Line {
+    /// The number, counted from 1.
+    pub number: usize,
+    /// The text.
+    pub text: String,
+    /// The reason why it is not a text of this length.
+    pub error: Option<FormatError>,
 }
 
 impl<R: BufRead> Lines<R> {
-    pub(crate) fn new(input: R) -> Self {
+    /// The lines of a file.
+    pub fn new(input: R) -> Self {
         Lines { input, read: 0, failed: false }
     }
 
@@ -34,9 +38,13 @@ impl<R: BufRead> Lines<R> {
         self.failed = true;
         FormatError::new(self.read, problem)
     }
+}
+
+impl<R: BufRead> Iterator for Lines<R> {
+    type Item = Line;
 
     /// The next line, without LF or CRLF at its end, and without a byte order mark.
-    pub(crate) fn next(&mut self) -> Option<Line> {
+    fn next(&mut self) -> Option<Line> {
         if self.failed {
             return None;
         }

@@ -58,8 +58,8 @@ fn every_session_is_whole_and_is_written_equal_to_what_was_read() -> Result<(), 
             continue;
         }
         let mut written = Vec::new();
-        for session in SessionReader::new(text.as_bytes()).with_file(name) {
-            let session = session.unwrap_or_else(|error| panic!("{error}"));
+        for session in SessionReader::new(text.as_bytes()) {
+            let session = session.unwrap_or_else(|error| panic!("{}", error.with_file(name)));
             assert_eq!(session.header_line, written.len() + 1);
             written.extend(session.to_lines().unwrap_or_else(|error| panic!("{name}: {error}")));
             assert_eq!(session.end_line, written.len());

@@ -1,4 +1,4 @@
-//! The commands and options of the command line.
+//! The commands and options of the command line, their help in groups, and errors of typing in plain words.
 
 use crate::ask::AskOptions;
 use crate::check::CheckArgs;
@@ -18,13 +18,19 @@ use crate::size::SizeOptions;
 use crate::table::TableOptions;
 use crate::teach::TeachOptions;
 use crate::unlearn::UnlearnArgs;
-use clap::{Parser, Subcommand, ValueEnum};
+use clap::builder::StyledStr;
+use clap::error::{ContextKind, ContextValue, ErrorKind};
+use clap::{Arg, CommandFactory, Parser, Subcommand, ValueEnum};
+use goodbot_console::messages;
+use goodbot_console::printed::printable;
 use goodbot_lab::acts::ActsOptions;
 use goodbot_lab::evaluate::EvaluateOptions;
 use goodbot_lab::fit_trainers::FitOptions;
 use goodbot_lab::questions::QuestionsOptions;
 use goodbot_lab::study::StudyOptions;
 use goodbot_lab::ways::WaysOptions;
+use std::borrow::Cow;
+use std::ffi::OsString;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -127,4 +133,123 @@ pub enum Command {
     /// Print the manual page
     #[command(after_help = "Example:\n  goodbot man > ~/.local/share/man/man1/goodbot.1")]
     Man,
+}
+
+/// The commands for most people.
+const EVERYDAY: [&str; 10] = ["teach", "learn", "ask", "inspect", "replay", "diff", "merge", "unlearn", "check", "example"];
+/// The commands for controllers.
+const BOARDS: [&str; 6] = ["size", "table", "convert", "microbit", "parameters", "migrate"];
+/// The commands about the program itself.
+const ITSELF: [&str; 4] = ["doctor", "completions", "man", "help"];
+
+/// The command line, with help in groups. Commands in no list belong to the laboratory.
+pub fn arguments() -> clap::Command {
+    let everyday = group(|name| EVERYDAY.contains(&name));
+    let boards = group(|name| BOARDS.contains(&name));
+    let laboratory = group(|name| !EVERYDAY.contains(&name) && !BOARDS.contains(&name) && !ITSELF.contains(&name));
+    let itself = group(|name| ITSELF.contains(&name));
+    let cli = Cli::command();
+    let heading = |text: &str| {
+        let style = cli.get_styles().get_header();
+        format!("{style}{text}:{style:#}")
+    };
+    let template = format!(
+        "{{about-with-newline}}\n{{usage-heading}} {{usage}}\n\n{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}\n{{options}}{{after-help}}",
+        heading("Commands"),
+        everyday.ansi(),
+        heading("For controllers"),
+        boards.ansi(),
+        heading("The laboratory"),
+        laboratory.ansi(),
+        heading("This program"),
+        itself.ansi(),
+        heading("Options"),
+    );
+    // The options of `goodbot paper` work here too; its own help lists them.
+    let of_all_commands = cli.mut_args(|arg| if arg.is_global_set() { arg } else { arg.hide(true) });
+    take_negative_numbers(of_all_commands.help_template(template))
+}
+
+/// Lets every option take a number below 0, so that the option's own error names the range. clap would call it an unknown option.
+fn take_negative_numbers(command: clap::Command) -> clap::Command {
+    let takes_one = |arg: &Arg| !arg.is_positional() && arg.get_action().takes_values();
+    command.mut_args(|arg| if takes_one(&arg) { arg.allow_negative_numbers(true) } else { arg }).mut_subcommands(take_negative_numbers)
+}
+
+/// The help lines of a group of commands, as clap writes them.
+fn group(has: impl Fn(&str) -> bool) -> StyledStr {
+    // clap adds this command by itself.
+    let is_help_hidden = !has("help");
+    Cli::command()
+        .mut_subcommands(|command| {
+            let is_hidden = !has(command.get_name());
+            command.hide(is_hidden)
+        })
+        .disable_help_subcommand(is_help_hidden)
+        .help_template("{subcommands}")
+        .render_help()
+}
+
+/// Common names for commands that have another name here.
+const OTHER_NAMES: [(&[&str], &str); 6] = [
+    (&["train", "fit"], "learn, or goodbot teach"),
+    (&["test", "eval", "score", "validate"], "evaluate"),
+    (&["show", "words", "dump", "view", "plot"], "inspect"),
+    (&["say", "command", "query", "predict", "tell"], "ask"),
+    (&["run", "experiment", "demo", "simulate"], "paper"),
+    (&["lint", "verify"], "check"),
+];
+
+/// Reports the error, and returns the exit code.
+pub fn tell(error: &clap::Error, typed: &[OsString]) -> u8 {
+    match in_words(error) {
+        Some(message) => messages::tell(&format!("error: {message}\n\nFor more information, try 'goodbot --help'.")),
+        // The command line may have control characters. The error then has no colours.
+        None if typed.iter().any(|typed| matches!(printable(&typed.to_string_lossy()), Cow::Owned(_))) => {
+            messages::tell(error.render().to_string().trim_end());
+        }
+        // Help is no error, and neither is a reader who stops early.
+        None => drop(error.print()),
+    }
+    u8::try_from(error.exit_code()).unwrap_or(2)
+}
+
+/// The error in plainer words than clap's; `None` if clap's are good.
+fn in_words(error: &clap::Error) -> Option<String> {
+    let typed = |context: ContextKind| match error.get(context) {
+        Some(ContextValue::String(typed)) => Some(typed.as_str()),
+        _ => None,
+    };
+    let meant = |typed: &str| OTHER_NAMES.iter().find(|(names, _)| names.contains(&typed)).map(|(_, command)| *command);
+    let no_command = |typed: &str, meant: &str| format!("there is no command {typed:?}; did you mean goodbot {meant}?");
+    match error.kind() {
+        ErrorKind::InvalidSubcommand => {
+            let typed = typed(ContextKind::InvalidSubcommand)?;
+            let alike = match error.get(ContextKind::SuggestedSubcommand) {
+                Some(ContextValue::Strings(names)) => names.last().map(String::as_str),
+                _ => None,
+            };
+            Some(match meant(typed).or(alike) {
+                Some(command) => no_command(typed, command),
+                None => format!("there is no command {typed:?}; goodbot --help names all"),
+            })
+        }
+        ErrorKind::UnknownArgument => match typed(ContextKind::InvalidArg)? {
+            "--model" => Some(
+                "--model names the robot's file in goodbot teach; choose the learner with --learner, and a model to ask with --with; \
+                 other commands take the model's file without an option"
+                    .to_owned(),
+            ),
+            typed => meant(typed).map(|command| no_command(typed, command)),
+        },
+        ErrorKind::ArgumentConflict => {
+            let before = match error.get(ContextKind::PriorArg)? {
+                ContextValue::String(option) => option.clone(),
+                ContextValue::Strings(options) => options.join(" "),
+                _ => return None,
+            };
+            Some(format!("options go after the command: goodbot {} {before}", typed(ContextKind::InvalidSubcommand)?))
+        }
+        _ => None,
+    }
 }

@@ -1,10 +1,8 @@
 //! `goodbot convert`: a world from PDDL.
 
 use clap::{Args, ValueHint};
-use goodbot_console::load::input::{self, InputFile};
-use goodbot_console::messages::{counting, tell, working};
-use goodbot_console::outcome::Failure;
-use goodbot_console::printed::Printed;
+use goodbot_console::messages::tell;
+use goodbot_console::{Failure, InputFile, Printed, counting, input, working};
 use goodbot_lesson::Fault;
 use goodbot_lesson::world::pddl::{self, PddlError, Text};
 use goodbot_lesson::world::robot::{self, Tables, WorldFlaw};

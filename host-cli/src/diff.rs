@@ -1,14 +1,9 @@
 //! `goodbot diff`: the sessions and words that only one of two models has, and the words with another meaning.
 
-use crate::inspect::sessions;
-use crate::paper::lexicon::Lexicon;
-use crate::teach::full_words::FullWords;
-use crate::teach::plain_names::{percent, token_words};
+use crate::words;
+use crate::words::{FullWords, Lexicon, percent, token_words};
 use clap::{Args, ValueHint};
-use goodbot_console::messages::counted;
-use goodbot_console::outcome::Failure;
-use goodbot_console::output;
-use goodbot_console::restored;
+use goodbot_console::{Failure, counted, output, restored};
 use serde_json::json;
 use std::collections::BTreeMap;
 use std::io::Write;
@@ -120,7 +115,7 @@ fn known(file: &Path) -> Result<ModelContents, Failure> {
         lexicon.rows.iter().map(|(token, row)| (token.clone(), if whole > 0.0 { of(row) / whole } else { 0.0 })).collect()
     };
     let words = lexicon.words.iter().enumerate().map(|(column, word)| (full.of(word), shares(column))).collect();
-    Ok(ModelContents { sessions: sessions::commands(&agent), words })
+    Ok(ModelContents { sessions: words::commands(&agent), words })
 }
 
 /// The texts that the others do not have. A text that is missing twice is listed twice.

@@ -1,7 +1,7 @@
 //! `goodbot example`: prints a home, a session log, a world or a table of words to begin with.
 
 use clap::ValueEnum;
-use goodbot_console::outcome::Failure;
+use goodbot_console::Failure;
 use goodbot_console::printed::data;
 use goodbot_lesson::closed_words::CLOSED_WORDS;
 

@@ -14,13 +14,11 @@ mod convert;
 mod diff;
 mod doctor;
 mod example;
-mod help;
 mod inspect;
 mod learn;
 mod merge;
 mod microbit;
 mod migrate;
-mod misuse;
 mod paper;
 mod parameters;
 mod replay;
@@ -28,11 +26,11 @@ mod size;
 mod table;
 mod teach;
 mod unlearn;
+mod words;
 
 use clap::{CommandFactory, FromArgMatches};
 use cli::{Cli, Color, Command};
-use goodbot_console::outcome::Failure;
-use goodbot_console::{messages, outcome, printed};
+use goodbot_console::{Failure, messages, outcome, printed};
 use goodbot_lab::{acts, evaluate, fit_trainers, questions, study, ways};
 use std::ffi::OsString;
 use std::io::Write;
@@ -44,10 +42,10 @@ use std::io::Write;
 /// assert_eq!(goodbot_cli::run(&["goodbot".into(), "no-such-command".into()]), 2);
 /// ```
 pub fn run(typed: &[OsString]) -> u8 {
-    let matches = help::arguments().try_get_matches_from(typed);
+    let matches = cli::arguments().try_get_matches_from(typed);
     let cli = match matches.and_then(|matches| Cli::from_arg_matches(&matches)) {
         Ok(cli) => cli,
-        Err(error) => return misuse::tell(&error, typed),
+        Err(error) => return cli::tell(&error, typed),
     };
     if cli.quiet {
         messages::be_quiet();

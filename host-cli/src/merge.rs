@@ -6,12 +6,8 @@ use goodbot::home::paper_tasks;
 use goodbot::snapshot::{Contents, RestoreError};
 use goodbot::task::LiftedTask;
 use goodbot::{Agent, Capacities, Options};
-use goodbot_console::learner;
 use goodbot_console::load::kinds::{kept, with_kinds};
-use goodbot_console::messages::{counted, say};
-use goodbot_console::outcome::Failure;
-use goodbot_console::output::{Kind, Output};
-use goodbot_console::whole_file::read_model;
+use goodbot_console::{Failure, Kind, Output, counted, read_model, say, typed};
 use std::path::{Path, PathBuf};
 
 /// Join the models of two robots
@@ -56,7 +52,7 @@ pub fn run(options: &MergeArgs) -> Result<(), Failure> {
     if ours.vocabulary != 0 && theirs.vocabulary != 0 && ours.vocabulary != theirs.vocabulary {
         return Err(refused(&options.second, RestoreError::OtherDomain));
     }
-    let memory = learner::memory(&room_for(&ours, &theirs), &ours.options.language, ours.possible.len() + theirs.possible.len());
+    let memory = typed::memory(&room_for(&ours, &theirs), &ours.options.language, ours.possible.len() + theirs.possible.len());
     let mut agent = Agent::new(memory, &[], Options::PAPER)?;
     agent.restore(&first).map_err(|error| refused(&options.first, error))?;
     let added = agent.join(&second).map_err(|error| refused(&options.second, error))?;

@@ -3,13 +3,8 @@
 use clap::{Args, ValueHint};
 use goodbot::oomdp::Domain;
 use goodbot::snapshot::Contents;
-use goodbot_console::load::input::{self, InputFile};
-use goodbot_console::messages::{counted, say};
 use goodbot_console::migration::{Migrated, Migration};
-use goodbot_console::outcome::Failure;
-use goodbot_console::output::{Kind, Output};
-use goodbot_console::restored;
-use goodbot_console::whole_file::read_model;
+use goodbot_console::{Failure, InputFile, Kind, Output, counted, input, read_model, restored, say};
 use goodbot_lesson::world::robot::{self, Robot, WorldFlaw};
 use std::path::PathBuf;
 

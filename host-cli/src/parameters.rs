@@ -6,10 +6,8 @@ use goodbot::memory::AgentHeap;
 use goodbot::planning::Progress;
 use goodbot::snapshot::{Contents, SaveError};
 use goodbot::{Capacities, capacity::Capacity};
-use goodbot_console::messages::{counted, say};
-use goodbot_console::outcome::Failure;
-use goodbot_console::output::{Kind, Output, PARAMETERS_IN_C};
-use goodbot_console::whole_file::read_model;
+use goodbot_console::output::PARAMETERS_IN_C;
+use goodbot_console::{Failure, Kind, Output, counted, read_model, say};
 use std::fmt::{Display, Write};
 use std::path::PathBuf;
 

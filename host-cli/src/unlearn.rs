@@ -1,14 +1,10 @@
 //! `goodbot unlearn`: removes a session from a model.
 
-use crate::inspect::sessions;
+use crate::words;
 use clap::{Args, ValueHint};
 use goodbot::snapshot::Contents;
 use goodbot_console::load::kinds::{kept, with_kinds};
-use goodbot_console::messages::{counted, say};
-use goodbot_console::outcome::Failure;
-use goodbot_console::output::{Kind, Output};
-use goodbot_console::restored;
-use goodbot_console::whole_file::read_model;
+use goodbot_console::{Failure, Kind, Output, counted, read_model, restored, say};
 use std::path::{Path, PathBuf};
 
 /// Take one session out of a model
@@ -45,7 +41,7 @@ pub fn run(args: &UnlearnArgs) -> Result<(), Failure> {
     let file = read_model(&args.model)?;
     let kinds = kept(&args.model, &file)?;
     let vocabulary = Contents::read(&file)?.vocabulary;
-    let commands = sessions::commands(&agent);
+    let commands = words::commands(&agent);
     let at = number(&args.model, &args.session, commands.len())?;
     let command = commands.get(at).cloned().unwrap_or_default();
     if !u16::try_from(at).is_ok_and(|at| agent.unlearn(at)) {

@@ -9,7 +9,7 @@
 //! | [`acts`] | trains the model that decides whether a robot acts on what was said |
 //! | [`ways`] | simulates how the robot learns commands with a way |
 //!
-//! They share [`recorded`] for real trainers' sessions, [`mean`] and [`calibration`] for figures, and [`canvas`] for pictures.
+//! They share [`recorded`] for real trainers' sessions, [`calibration`] for figures, and [`canvas`] for pictures.
 
 #![forbid(unsafe_code)]
 // Each command's documentation lists its private modules, for readers of the source.
@@ -22,7 +22,6 @@ pub mod calibration;
 pub mod canvas;
 pub mod evaluate;
 pub mod fit_trainers;
-pub mod mean;
 pub mod questions;
 pub mod recorded;
 pub mod study;

@@ -1,10 +1,10 @@
 //! Checks a recorded session against its home or world, and walks through its steps before it is used as evidence.
 
 use crate::closed_words::{CLOSED_WORDS, kept_table};
-use crate::conversing::Conversing;
 use crate::fault::{Fault, quoted};
 use crate::first_words::{Long, read, too_long, words_read};
 use crate::home;
+use crate::listening::Conversing;
 use crate::name::task_name;
 use crate::walk::{Expected, Listening, SessionAnswer, Step, Walk};
 use goodbot::capacity::{CapacityError, PROPOSITIONS_PER_TASK};

@@ -1,7 +1,7 @@
 //! The course of a session: a command in a home or another world, steps with their feedback, and answers.
 
 use crate::closed_words::CLOSED_WORDS;
-use crate::conversing::Conversing;
+use crate::listening::Conversing;
 use goodbot::feedback::{Feedback, Strategy, StrategyError};
 use goodbot::home::HomeState;
 use goodbot::oomdp::{Action, Domain, action_named, apply};

@@ -1,17 +1,12 @@
 //! The class `Agent`: a mind that one thread uses at a time.
 
-use crate::arrays::array;
 use crate::decision::Decision;
 use crate::error::{self, InUseError, InternalError, ModelError, value};
-use crate::home as home_of;
-use crate::items::Items;
-use crate::kinds::{Kinds, are_same, kinds_of_tasks};
 use crate::mind::{Mind, Part, words_read};
-use crate::options::{as_dict, capacities_of, options};
+use crate::options::{Drawn, Items, Kinds, Random, are_same, array, as_dict, capacities_of, kinds_of_tasks, options};
 use crate::place::{Place, in_place};
-use crate::random::{Drawn, Random};
-use crate::robot;
 use crate::world::World;
+use crate::{home as home_of, robot};
 use goodbot::asking::{Answer, Asking, Subject};
 use goodbot::feedback::{Feedback, Strategy};
 use goodbot::home::SCHEMA;
@@ -20,14 +15,13 @@ use goodbot::oomdp::{Action, Domain, Schema};
 use goodbot::planning::Progress;
 use goodbot::session::{Evidence, Phase};
 use goodbot::snapshot::Contents;
-use goodbot::symbols::Symbol;
+use goodbot::symbols::{Symbol, SymbolsRef};
 use goodbot::talk::{ClosedWords, Conversation, Said, Verdict};
 use goodbot::task::TaskSet;
 use goodbot::{AgentError, Capacities, Options};
-use goodbot_console::claim::Claim;
-use goodbot_console::output::Kind;
+use goodbot_console::Kind;
 use goodbot_console::restored::{room_for, room_for_tasks};
-use goodbot_console::whole_file::MOST_BYTES;
+use goodbot_console::whole_file::{Claim, MOST_BYTES};
 use goodbot_lesson::first_words::{self, heard};
 use goodbot_lesson::kept_kinds;
 use goodbot_lesson::name::{in_words, in_words_of_file};
@@ -768,7 +762,7 @@ impl Agent {
     fn words(&self) -> PyResult<Vec<String>> {
         self.with(|mind| {
             let language = mind.core.language();
-            Ok(language.words().iter().take(language.tables().words()).map(|(_, text)| text.to_owned()).collect())
+            Ok(texts(language.words(), language.tables().words()))
         })
     }
 
@@ -784,7 +778,7 @@ impl Agent {
     fn tokens(&self) -> PyResult<Vec<String>> {
         self.with(|mind| {
             let language = mind.core.language();
-            Ok(language.tokens().iter().take(language.tables().tokens()).map(|(_, text)| text.to_owned()).collect())
+            Ok(texts(language.tokens(), language.tables().tokens()))
         })
     }
 
@@ -911,6 +905,11 @@ impl Agent {
 #[pyfunction]
 pub fn words(py: Python<'_>, command: &str) -> PyResult<Vec<String>> {
     heard(Options::DEFAULT.language.model, words_read(py, command)?).map_err(|refused| error::full(py, refused))
+}
+
+/// The first symbols of a table.
+fn texts(symbols: SymbolsRef<'_>, count: usize) -> Vec<String> {
+    symbols.iter().take(count).map(|(_, text)| text.to_owned()).collect()
 }
 
 const fn kind_name(kind: goodbot::task::RoleKind) -> &'static str {

@@ -1,6 +1,6 @@
 //! The command line, which the package has too.
 
-use crate::items::Items;
+use crate::options::Items;
 use pyo3::prelude::*;
 use std::ffi::OsString;
 

@@ -2,8 +2,7 @@
 
 use crate::error::{self, value};
 use crate::home::{Home, meant};
-use crate::kinds::kinds_of_tasks;
-use crate::options::options;
+use crate::options::{kinds_of_tasks, options};
 use crate::trainer::{counts, trainer_of};
 use goodbot::home::SCHEMA;
 use goodbot::{Agent, Capacities, HeapMemory};

@@ -1,15 +1,13 @@
 //! Homes and their states.
 
 use crate::error::{format, full, misformed, value};
-use crate::items::Items;
-use crate::names::{action_of, task_name};
-use crate::options::{as_dict, capacities_of};
+use crate::options::{Items, action_of, as_dict, capacities_of, task_name};
+use goodbot::Capacities;
 use goodbot::capacity::{Capacity, CapacityError};
-use goodbot::home::{self, Area, COLOR, Cell, DOOR, HomeState, Map, Moves, Problem, ROOM, SHAPE};
+use goodbot::home::{self, Area, COLOR, Cell, DOOR, HomeState, Map, Moves, Problem, ROOM, SCHEMA, SHAPE};
 use goodbot::memory::HomeHeap;
 use goodbot::oomdp::{Domain, GroundProposition, ObjectId, PushGrid, apply};
 use goodbot::task::{GroundedTask, LiftedTask, ground};
-use goodbot::{Capacities, home::SCHEMA};
 use goodbot_course::{Exercise, HomeName, Layout, generator};
 use goodbot_formats::environment::{EnvironmentFile, object_line};
 use goodbot_formats::map;
@@ -376,7 +374,7 @@ impl Home {
     #[pyo3(signature = (state=None, kinds=None))]
     fn tasks(&self, py: Python<'_>, state: Option<&Bound<'_, PyAny>>, kinds: Option<Items<String>>) -> PyResult<Vec<String>> {
         let at = state.map_or(Ok(self.start), |state| self.check(state))?;
-        let lifted = crate::kinds::kinds_of_tasks(py, kinds.map(|kinds| kinds.0), &SCHEMA)?.lifted;
+        let lifted = crate::options::kinds_of_tasks(py, kinds.map(|kinds| kinds.0), &SCHEMA)?.lifted;
         let tasks = tasks(&self.rooms, &lifted, &at).map_err(|error| full(py, error))?;
         let name = |task: &GroundedTask| Some(task_name(&self.rooms, lifted.get(usize::from(task.lifted))?, task));
         Ok(tasks.iter().filter_map(name).collect())

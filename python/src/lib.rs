@@ -3,35 +3,29 @@
 //! - `home`: homes and their states;
 //! - `robot`, `vocabulary`: a robot that a Python class describes; `world`: one that a file describes;
 //! - `place`: one of these with a state, where a session takes place;
-//! - `kinds`, `names`: the kinds of tasks; actions and tasks by name;
 //! - `mind`: the robot's mind; `agent`: its calls for Python;
 //! - `trainer`: a simulated trainer, who teaches;
 //! - `course`: the paper's lessons and tests;
 //! - `log`: recorded sessions;
 //! - `worlds`: many homes at once, for reinforcement learning;
 //! - `command`: the command line;
-//! - `random`: random numbers that go on in a copy;
-//! - `options`, `items`, `arrays`, `error`: settings by name, lists, numpy arrays, and exceptions.
+//! - `options`: what Python gives and gets: settings, kinds of tasks, actions and tasks by name, lists, numpy arrays, and random numbers that
+//!   go on in a copy; `error`: exceptions.
 //!
 //! What Python may call is listed with its types in `python/package/goodbot/_native.pyi`.
 
 #![forbid(unsafe_code)]
 
 mod agent;
-mod arrays;
 mod command;
 mod course;
 mod decision;
 mod error;
 mod home;
-mod items;
-mod kinds;
 mod log;
 mod mind;
-mod names;
 mod options;
 mod place;
-mod random;
 mod robot;
 mod trainer;
 mod vocabulary;

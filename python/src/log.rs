@@ -1,25 +1,24 @@
 //! Recorded sessions: read, written, and replayed.
 
 use crate::agent::{Agent, feedback_of};
-use crate::arrays::array;
 use crate::error::{self, format, value};
 use crate::home::{Home, Rooms};
-use crate::items::Items;
 use crate::mind::{Mind, PART, warn};
+use crate::options::{Items, array};
 use crate::world::World;
 use goodbot::Capacities;
 use goodbot::home::{HomeState, Moves};
 use goodbot::oomdp::Domain;
-use goodbot_console::load::content::Content;
+use goodbot_console::load::input::Content;
 use goodbot_formats::FormatError;
 use goodbot_formats::environment::EnvironmentFile;
 use goodbot_formats::session::{FeedbackWord, Kind, RecordedSession, SessionHeader, SessionReader, StepRecord};
 use goodbot_formats::task_text::{GroundAtomText, GroundTaskText};
 use goodbot_formats::world::{Line, SessionInWorld, WorldReader};
 use goodbot_lesson::checked::{CheckedSession, check_steps, moves};
-use goodbot_lesson::recording::word;
+use goodbot_lesson::place::word;
 use goodbot_lesson::replay::{Event, Replay, Rules};
-use goodbot_lesson::world::checked as in_world;
+use goodbot_lesson::world as in_world;
 use goodbot_lesson::world::robot::Tables;
 use goodbot_lesson::{Fault, home};
 use pyo3::prelude::*;
@@ -86,25 +85,26 @@ pub fn parse_log(py: Python<'_>, text: &[u8], file: Option<String>) -> PyResult<
     if Content::of(text) == Content::Worlds {
         return parse_log_of_worlds(py, text, file);
     }
-    let mut reader = SessionReader::new(text);
-    if let Some(file) = file {
-        reader = reader.with_file(file);
-    }
     let mut sessions = Vec::new();
-    for session in reader {
-        sessions.push(Session::in_home(session.map_err(|error| format(py, &error))?));
-        if sessions.len() % 256 == 0 {
+    for session in SessionReader::new(text) {
+        sessions.push(Session::in_home(session.map_err(|error| format_in(py, error, file.as_deref()))?));
+        if sessions.len().is_multiple_of(256) {
             py.check_signals()?;
         }
     }
     Ok(sessions)
 }
 
+/// An error of a log, with the file's name if there is one.
+fn format_in(py: Python<'_>, error: FormatError, file: Option<&str>) -> PyErr {
+    format(py, &file.into_iter().fold(error, FormatError::with_file))
+}
+
 /// The sessions of a log of worlds.
 fn parse_log_of_worlds(py: Python<'_>, text: &[u8], file: Option<String>) -> PyResult<Vec<Session>> {
     let mut sessions: Vec<Session> = Vec::new();
     for line in WorldReader::new(text) {
-        let line = line.map_err(|error| format(py, &file.iter().fold(error, |error, file| error.with_file(file))))?;
+        let line = line.map_err(|error| format_in(py, error, file.as_deref()))?;
         let SessionInWorld { world, facts, session } = match line {
             Line::World(_) => continue,
             Line::Session(session) => *session,

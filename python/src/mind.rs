@@ -2,10 +2,8 @@
 
 use crate::error::{self, SessionError, value};
 use crate::home as home_of;
-use crate::kinds::Kinds;
-use crate::names::task_name;
+use crate::options::{Kinds, Random, task_name};
 use crate::place::{Place, in_place};
-use crate::random::Random;
 use crate::robot::Robot;
 use crate::world::World;
 use goodbot::feedback::Strategy;
@@ -14,11 +12,11 @@ use goodbot::oomdp::{Action, Domain};
 use goodbot::planning::Progress;
 use goodbot::task::TaskSet;
 use goodbot::{Agent as Core, AgentError, Capacities, Options};
-use goodbot_console::learner;
+use goodbot_console::typed;
 use goodbot_lesson::checked::CheckedSession;
 use goodbot_lesson::first_words::{Long, read};
 use goodbot_lesson::kept_kinds;
-use goodbot_lesson::voice::Voice;
+use goodbot_lesson::live::Voice;
 use pyo3::exceptions::PyUserWarning;
 use pyo3::prelude::*;
 use pyo3::types::PyString;
@@ -72,7 +70,7 @@ pub fn warn(py: Python<'_>, long: Long) -> PyResult<()> {
 impl Mind {
     /// `tasks` is the number of possible tasks that it keeps, of all sessions together.
     pub fn new(capacities: &Capacities, tasks: usize, kinds: Kinds, options: Options, seed: u64) -> Result<Self, AgentError> {
-        let core = Core::new(learner::memory(capacities, &options.language, tasks), &kinds.lifted, options)?;
+        let core = Core::new(typed::memory(capacities, &options.language, tasks), &kinds.lifted, options)?;
         Ok(Self {
             core,
             kinds: kinds.texts,

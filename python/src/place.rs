@@ -2,7 +2,7 @@
 
 use crate::error::value;
 use crate::home::Home;
-use crate::names::action_of;
+use crate::options::action_of;
 use crate::robot::Robot;
 use crate::world::World;
 use goodbot::home::HomeState;

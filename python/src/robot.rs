@@ -4,7 +4,7 @@
 //! in the class cannot pass through the search. The first one is kept, the search is led to a quick end, and the caller raises it.
 
 use crate::error::{full, value};
-use crate::items::Items;
+use crate::options::Items;
 use crate::vocabulary::Names;
 use goodbot::capacity::{ARGUMENTS, ATTRIBUTES, Capacity, CapacityError};
 use goodbot::oomdp::{

@@ -1,8 +1,7 @@
 //! A world with a robot of any kind, from a file or a dict.
 
 use crate::error::{file as unread, format as misformed, in_file, value};
-use crate::items::Items;
-use crate::names::{action_of, task_name};
+use crate::options::{Items, action_of, task_name};
 use goodbot::Capacities;
 use goodbot::oomdp::{Domain, apply};
 use goodbot::task::{GroundedTask, ground};

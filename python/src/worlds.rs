@@ -5,8 +5,7 @@
 
 use crate::error::value;
 use crate::home::{Home, State};
-use crate::items::Items;
-use crate::names::task_name;
+use crate::options::{Items, task_name};
 use goodbot::home::{self, Area, COLOR, Cell, DOOR, HomeState, Map, ROOM, SHAPE};
 use goodbot::oomdp::{Action, Domain, GroundProposition, apply};
 use goodbot::random::below;
@@ -151,7 +150,7 @@ fn missions(py: Python<'_>, home: &Home, commands: Vec<(String, String)>) -> PyR
     // The paper's kinds, and the agent and a block at once.
     let mut lifted = home::paper_tasks().map_err(value)?.to_vec();
     lifted.extend(
-        crate::kinds::kinds_of_tasks(py, Some(vec!["agentInRoom(?a,?r1) & blockInRoom(?o,?r2)".to_owned()]), &home::SCHEMA)?.lifted,
+        crate::options::kinds_of_tasks(py, Some(vec!["agentInRoom(?a,?r1) & blockInRoom(?o,?r2)".to_owned()]), &home::SCHEMA)?.lifted,
     );
     let tasks = crate::home::tasks(rooms, &lifted, start).map_err(|error| crate::error::full(py, error))?;
     let find = |(command, name): (String, String)| {

@@ -1,13 +1,12 @@
 //! What JavaScript calls otherwise than Rust: its class `Goodbot` is [`World`], and takes and gives texts and numbers. A text "JSON, `Scene`"
 //! has the fields of that struct of [`view`](crate::view). A refusal is thrown as an `Error` whose message is for people.
 
+use crate::course;
+use crate::world::{self, Refusal, World};
 use goodbot::feedback::Strategy;
 use goodbot_lesson::walk::Expected;
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
-
-use crate::course;
-use crate::world::{self, Refusal, World};
 
 impl From<Refusal> for JsValue {
     fn from(refusal: Refusal) -> Self {
@@ -33,7 +32,7 @@ fn pairs(lines: &str) -> Vec<(String, String)> {
 }
 
 fn json(value: &impl Serialize) -> Result<String, Refusal> {
-    crate::json::json(value).ok_or_else(|| Refusal("what the page draws is no JSON; please report this".to_owned()))
+    crate::log::try_json(value).ok_or_else(|| Refusal("what the page draws is no JSON; please report this".to_owned()))
 }
 
 #[wasm_bindgen(js_class = "Goodbot")]

@@ -1,13 +1,12 @@
 //! The paper's course for the page: the homes as environments, and the meaning of each command.
 
+use crate::world::ROOMS;
 use goodbot::memory::HomeHeap;
 use goodbot_course::layout::Layout;
 use goodbot_course::{Exercise, HomeName, Homes, Intention, LESSONS, TESTS, generator};
 use goodbot_formats::environment::{EnvironmentFile, ObjectRecord};
 use serde::Serialize;
 use tsify::Tsify;
-
-use crate::cells::ROOMS;
 
 /// The homes that a page offers, and the course in them.
 #[derive(Clone, Debug, PartialEq, Serialize, Tsify)]

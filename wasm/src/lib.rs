@@ -5,17 +5,14 @@
 //!
 //! | module | what it holds |
 //! |---|---|
-//! | [`world`] | the home, the robot's mind and the session under way |
+//! | [`world`] | the home, the robot's mind, their capacities, and the session under way |
 //! | [`starter`] | everyday sentences that the robot knows beside its own sessions |
 //! | [`talk`] | utterances that may be no command, and sessions that begin with one |
 //! | [`training`] | a session from a command to a robot that has learned |
-//! | [`asking`] | questions, and the trainer's answers |
-//! | [`next`] | the next lesson to teach |
+//! | [`asking`] | questions and the trainer's answers; which word of a command speaks for which task; the next lesson to teach |
 //! | [`replay`] | the replay of a session from a log |
 //! | [`view`] | the data that the page draws: the scene, the beliefs, the evidence, the heat map |
-//! | [`words`] | which word of a command speaks for which task |
 //! | [`route`] | where a task would lead the robot, for the ghost on the floor plan |
-//! | [`cells`] | the capacities of the robot, the homes and the scout |
 //! | [`course`] | the paper's lessons and tests |
 //! | [`bindings`] | what JavaScript calls otherwise than Rust |
 
@@ -23,18 +20,14 @@
 
 pub mod asking;
 pub mod bindings;
-pub mod cells;
 pub mod course;
-mod json;
 mod log;
-pub mod next;
 pub mod replay;
 pub mod route;
 pub mod starter;
 pub mod talk;
 pub mod training;
 pub mod view;
-pub mod words;
 pub mod world;
 
 pub use world::{Refusal, World};

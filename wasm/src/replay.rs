@@ -2,6 +2,8 @@
 //!
 //! The strict reader of logs is large: the page reads their lines itself, and hands over their contents.
 
+use crate::log::task_name;
+use crate::world::{MIND, ROOMS, Refusal, Replaying, World, build};
 use goodbot::feedback::Feedback;
 use goodbot::home::Home;
 use goodbot::memory::HomeMemory;
@@ -11,10 +13,6 @@ use goodbot_formats::session::{FeedbackWord, Kind, RecordedAnswer, RecordedSessi
 use goodbot_lesson::replay::{Event, Replay, Rules};
 use goodbot_lesson::walk::{Expected, SessionAnswer, Step, Walk};
 use wasm_bindgen::prelude::*;
-
-use crate::cells::{MIND, ROOMS};
-use crate::log::task_name;
-use crate::world::{Refusal, Replaying, World, build};
 
 /// Tasks, each with its name.
 pub(crate) fn with_names<M: HomeMemory>(home: &Home<M>, lifted: &[LiftedTask], tasks: &[GroundedTask]) -> Vec<(GroundedTask, String)> {

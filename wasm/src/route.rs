@@ -1,13 +1,12 @@
 //! Where a task would lead the robot, for the ghost on the floor plan.
 
+use crate::world::SCOUT;
 use goodbot::capacity::CapacityError;
 use goodbot::home::{Home, HomeState};
 use goodbot::memory::{AgentHeap, AgentMemory, AgentTables, HomeMemory};
 use goodbot::oomdp::{Domain, apply};
 use goodbot::planning::{OptimalSet, PlanTables, Planner, Progress, Ways};
 use goodbot::task::{GroundedTask, LiftedTask, TaskSet, Way};
-
-use crate::cells::SCOUT;
 
 /// The most node expansions of a look ahead.
 const MOST_EXPANSIONS: u32 = 200_000;

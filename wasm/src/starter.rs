@@ -1,5 +1,7 @@
 //! The robot's starter: everyday sentences beside its own sessions. They are in its memory only: its saved model has its own sessions.
 
+use crate::replay::with_names;
+use crate::world::{MIND, ROOMS, World, build};
 use goodbot::home::Moves;
 use goodbot::language::LanguageModel;
 use goodbot::memory::AgentHeap;
@@ -8,13 +10,9 @@ use goodbot::snapshot::Places;
 use goodbot::symbols::SymbolsRef;
 use goodbot::task::{GroundedTask, LiftedTask, ground, is_marker};
 use goodbot::{Agent, Capacities, Options};
-use goodbot_lesson::machine_command::description;
+use goodbot_lesson::name::description;
 use goodbot_lesson::starter::{beside, sentences};
 use wasm_bindgen::prelude::*;
-
-use crate::cells::{MIND, ROOMS};
-use crate::replay::with_names;
-use crate::world::{World, build};
 
 /// A language, or none, and the places of its sentences.
 #[derive(Debug, Default)]

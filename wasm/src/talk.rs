@@ -1,5 +1,9 @@
 //! Utterances: commands, words to a robot on its way, and other talk.
 
+use crate::log::task_name;
+use crate::replay::{not_begun, with_names};
+use crate::view::Reaction;
+use crate::world::{MIND, Refusal, World};
 use goodbot::asking::Answer;
 use goodbot::feedback::Feedback;
 use goodbot::home::{Home, HomeState};
@@ -7,15 +11,9 @@ use goodbot::memory::HomeMemory;
 use goodbot::talk::{Class, Listened, Said, Verdict};
 use goodbot::task::{GroundedTask, LiftedTask, ground_with_done};
 use goodbot_lesson::closed_words::kept_table;
-use goodbot_lesson::conversing::Conversing;
+use goodbot_lesson::listening::Conversing;
 use goodbot_lesson::walk::Listening;
 use wasm_bindgen::prelude::*;
-
-use crate::cells::MIND;
-use crate::log::task_name;
-use crate::replay::{not_begun, with_names};
-use crate::view::Reaction;
-use crate::world::{Refusal, World};
 
 /// All tasks that commands may mean in this state, with those that are done already, each with its name.
 pub(crate) fn named_tasks<M: HomeMemory>(

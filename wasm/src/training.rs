@@ -3,6 +3,11 @@
 //! [`World::hear`], then over and over [`World::plan`] until it is done, [`World::act`], [`World::judge`]; at the end [`World::finish`] and
 //! [`World::learn`] until it is done, or [`World::forget`].
 
+use crate::asking::support;
+use crate::log::{lines, task_name};
+use crate::route::Lookahead;
+use crate::view::{Belief, Decided, Evidence, Heat, Route, Support, Task, TrainerStyle};
+use crate::world::{ROOMS, Refusal, World, build, thing};
 use goodbot::feedback::{Feedback, SimulatedTrainer, Strategy, population};
 use goodbot::home::{Home, HomeState};
 use goodbot::memory::HomeMemory;
@@ -17,13 +22,6 @@ use goodbot_lesson::replay::{expect, expects_people};
 use goodbot_lesson::walk::Expected;
 use rand_pcg::Pcg32;
 use wasm_bindgen::prelude::*;
-
-use crate::cells::ROOMS;
-use crate::log::{lines, task_name};
-use crate::route::Lookahead;
-use crate::view::{Belief, Decided, Evidence, Heat, Route, Support, Task, TrainerStyle};
-use crate::words::support;
-use crate::world::{Refusal, World, build, thing};
 
 impl World {
     /// Sets the trainer strategies, each with its prior, in any unit. If they equal the current belief to the last bit, nothing changes. A

@@ -1,10 +1,10 @@
 //! The home, the robot's mind and the session under way.
 
-use std::fmt;
-
+use crate::route::{Lookahead, Scout};
+use crate::starter::Starter;
+use crate::view::{Extent, Place, Scene, Thing};
 use goodbot::feedback::{Strategy, population};
-use goodbot::home::Map;
-use goodbot::home::{self, Area, BLOCK, COLOR, DOOR, Home, HomeState, Moves, ROOM, SHAPE};
+use goodbot::home::{self, Area, BLOCK, COLOR, DOOR, Home, HomeState, Map, Moves, ROOM, SHAPE};
 use goodbot::memory::{AgentHeap, HomeHeap, HomeMemory};
 use goodbot::oomdp::ObjectId;
 use goodbot::snapshot::{Contents, Part, RestoreError};
@@ -16,12 +16,8 @@ use goodbot_lesson::live::Lesson;
 use goodbot_lesson::replay::{Replay, expect_ends};
 use goodbot_lesson::walk::Walk;
 use rand_pcg::Pcg32;
+use std::fmt;
 use wasm_bindgen::prelude::*;
-
-use crate::cells::{MIND, MOST_OF_A_FIELD, ROOMS};
-use crate::route::{Lookahead, Scout};
-use crate::starter::Starter;
-use crate::view::{Extent, Place, Scene, Thing};
 
 /// Why something was refused, in words for the person at the page.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -216,7 +212,7 @@ impl World {
 
     /// The home as it was entered, as JSON.
     pub fn environment(&self) -> String {
-        crate::json::json(&self.file).unwrap_or_default()
+        crate::log::json(&self.file)
     }
 
     /// Puts everything back to where it was when the home was entered. A session under way ends unlearned.
@@ -334,3 +330,15 @@ pub(crate) fn thing(home: &Home<impl HomeMemory>, state: &HomeState, id: ObjectI
     let (color, shape) = (objects.value(id, COLOR).to_owned(), objects.value(id, SHAPE).to_owned());
     Thing { name: objects.name(id).to_owned(), x: cell.x, y: cell.y, color, shape }
 }
+
+/// The robot's mind: the preset for hosts.
+pub const MIND: Capacities = Capacities::STANDARD;
+
+/// The most entries that a model file from elsewhere may demand for a table of the mind.
+pub const MOST_OF_A_FIELD: usize = 1 << 22;
+
+/// A home alone.
+pub const ROOMS: Capacities = Capacities::STANDARD;
+
+/// The scout: smaller than the mind, because the page can do without looking ahead.
+pub const SCOUT: Capacities = Capacities { tasks: 64, ground_propositions: 64, goal_entries: 8_192, states: 1 << 18, ..Capacities::NONE };

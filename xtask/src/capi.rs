@@ -1,16 +1,13 @@
 //! The C interface: its header, its static library, and the C examples on this machine and on an emulated board.
 
-use std::path::{Path, PathBuf};
-
-use anyhow::{Context, Result};
-use clap::Args;
-use xshell::{Shell, cmd};
-
-use crate::emulated_boards::{AN386, emulate};
-use crate::firmware::{FAULT, nothing_panics, run_alone};
+use crate::firmware::{AN386, FAULT, emulate, nothing_panics, run_alone};
 use crate::process::{shell, target_dir};
 use crate::programs::{ARM_GCC, CLANG, GCC, GXX};
 use crate::toolchain::{self, CONTROLLER, CORTEX_M0, CORTEX_M4F, TARGETS};
+use anyhow::{Context, Result};
+use clap::Args;
+use std::path::{Path, PathBuf};
+use xshell::{Shell, cmd};
 
 const HEADER: &str = "capi/include/goodbot.h";
 /// The C header, and the C++ header that wraps it.

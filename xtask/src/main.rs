@@ -6,7 +6,6 @@ mod capi;
 mod checks;
 #[cfg(test)]
 mod dependencies;
-mod emulated_boards;
 mod firmware;
 mod footprint;
 mod fuzz;
@@ -37,12 +36,6 @@ enum Task {
     Fuzz(fuzz::Options),
     /// Times each benchmark natively and in WebAssembly, run by node.
     BenchWasm,
-    /// Counts the instructions of each benchmark, by valgrind.
-    Instructions {
-        /// Only benchmarks with this in their name.
-        #[arg(default_value = "")]
-        filter: String,
-    },
     /// Draws the cost of a plan against states, tasks and blocks, as docs/planning-cost.svg.
     Plot,
     /// Measures the robot's memory and instructions on each emulated board, and writes docs/footprint.md.
@@ -78,7 +71,6 @@ fn run(task: Task) -> Result<()> {
         Task::Compare => benches::compare(),
         Task::Fuzz(options) => fuzz::run(&options),
         Task::BenchWasm => benches::wasm(),
-        Task::Instructions { filter } => benches::instructions(&filter),
         Task::Plot => benches::plot(),
         Task::Footprint(options) => footprint::run(&options),
         Task::Worst(options) => worst::run(&options),

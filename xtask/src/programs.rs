@@ -69,7 +69,6 @@ pub const NPM: Program = installed("npm", "to get what the page's tests are made
 pub const GCC: Program = installed("gcc", "to build C for this machine");
 pub const GXX: Program = installed("g++", "to build C++ for this machine");
 const PYTHON: Program = installed("python3", "to try the Python package (version 3.10 or newer, with venv)");
-pub const VALGRIND: Program = installed("valgrind", "to count instructions");
 
 /// Names something that is not on this machine and cannot be fetched.
 #[derive(Clone, Debug)]
@@ -162,7 +161,7 @@ pub fn version(path: &Path) -> Result<String> {
     Ok(cmd!(sh, "{path} --version").ignore_stderr().read()?.lines().next().unwrap_or_default().trim().to_owned())
 }
 
-/// Finds or fetches the programs other than Python and valgrind. Prints paths and versions.
+/// Finds or fetches the programs other than Python. Prints paths and versions.
 pub fn list() -> Result<()> {
     for program in [&QEMU, &QEMU_RISCV, &ARM_GCC, &CLANG, &CHROMIUM, &FIREFOX, &NODE, &NPM, &GCC, &GXX] {
         let path = program.path()?;

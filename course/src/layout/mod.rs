@@ -1,16 +1,13 @@
 //! The homes of the course.
 //!
-//! - [`fixed`]: seven drawn homes;
-//! - [`random`]: seven random homes, each solvable;
-//! - [`solvable`]: whether a task can be done.
+//! Seven are drawn, and [`random`] makes seven random ones, each solvable.
 
-pub mod fixed;
 pub mod random;
-pub mod solvable;
 
 use crate::exercise::{HomeName, Intention};
-use goodbot::home::{Area, Cell, Home, HomeBuilder, HomeError, HomeState, Moves};
+use goodbot::home::{Area, BLOCK_IN_ROOM, COLOR, Cell, Home, HomeBuilder, HomeError, HomeState, Moves, ROOM, SHAPE};
 use goodbot::memory::HomeMemory;
+use goodbot::oomdp::{Action, CellId, Domain, GroundProposition, Piece, PushGrid};
 
 /// The most rooms of a layout, and the most doors.
 pub const ROOMS: usize = 4;
@@ -124,4 +121,118 @@ impl Homes {
         homes.sort_unstable_by_key(|&home| (self.layout(home).size(), home as usize));
         homes.into_iter().flat_map(|home| self.layout(home).teachable().map(move |meant| (home, meant)))
     }
+}
+
+/// Three rooms: one below, two above, with a door each. The agent starts below.
+const fn lesson(below: &'static str, left: &'static str, right: &'static str, agent: Cell, block: Option<BlockPlan>) -> Layout {
+    Layout {
+        rooms: [Some((Area::new(0, 0, 8, 4), below)), Some((Area::new(0, 4, 4, 8), left)), Some((Area::new(4, 4, 8, 8), right)), None],
+        doors: [Some(Cell::new(2, 4)), Some(Cell::new(6, 4)), None, None],
+        agent,
+        blocks: [block, None],
+    }
+}
+
+const fn block(x: i32, y: i32, color: &'static str, shape: &'static str) -> Option<BlockPlan> {
+    Some(BlockPlan { cell: Cell::new(x, y), color, shape })
+}
+
+impl Homes {
+    /// The homes as drawn.
+    pub const FIXED: Self = Self {
+        lessons: [
+            lesson("blue", "green", "red", Cell::new(4, 2), None),
+            lesson("green", "red", "blue", Cell::new(4, 2), None),
+            lesson("red", "blue", "yellow", Cell::new(4, 2), None),
+            lesson("red", "green", "yellow", Cell::new(4, 1), block(4, 2, "blue", "chair")),
+            lesson("green", "blue", "red", Cell::new(6, 1), block(4, 2, "purple", "bag")),
+            lesson("blue", "yellow", "red", Cell::new(2, 3), block(4, 2, "yellow", "bag")),
+        ],
+        test: Layout {
+            rooms: [
+                Some((Area::new(0, 0, 4, 4), "yellow")),
+                Some((Area::new(4, 0, 8, 4), "red")),
+                Some((Area::new(0, 4, 4, 8), "green")),
+                Some((Area::new(4, 4, 8, 8), "blue")),
+            ],
+            doors: [Some(Cell::new(4, 2)), Some(Cell::new(2, 4)), Some(Cell::new(6, 4)), Some(Cell::new(4, 6))],
+            agent: Cell::new(1, 1),
+            blocks: [block(6, 2, "purple", "chair"), block(6, 6, "blue", "bag")],
+        },
+    };
+}
+
+/// The most free cells of a home for [`is_solvable`]: one bit each.
+pub const CELLS: usize = 64;
+
+/// Reached places of the agent and of one block: a row for each place of the block, a bit for each place of the agent.
+#[derive(Clone, Copy)]
+struct Reached([u64; CELLS]);
+
+impl Reached {
+    fn row(&mut self, block: usize) -> Option<&mut u64> {
+        self.0.get_mut(block)
+    }
+}
+
+/// The goal of an intention in a home, `None` if its objects are missing.
+fn goal(home: &Home<impl HomeMemory>, intention: &Intention) -> Option<GroundProposition> {
+    let objects = home.world().objects;
+    let room = objects.of_class(ROOM).find(|&room| objects.value(room, COLOR) == intention.room)?;
+    let subject = match intention.block {
+        None => home.agent(),
+        Some((color, shape)) => {
+            *home.blocks().iter().find(|&&block| objects.value(block, COLOR) == color && objects.value(block, SHAPE) == shape)?
+        }
+    };
+    Some(GroundProposition::new(intention.proposition, &[subject, room]))
+}
+
+/// Whether the intended task can be done and is not done yet. All reachable places of the agent and of the block in question are tried,
+/// while the other blocks stay in place. A home of more than [`CELLS`] free cells counts as unsolvable.
+pub fn is_solvable(home: &Home<impl HomeMemory>, start: &HomeState, intention: &Intention) -> bool {
+    let Some(goal) = goal(home, intention) else { return false };
+    if home.places().len() > CELLS || home.holds(&goal, start) {
+        return false;
+    }
+    // The block that moves; if the agent itself is meant, every block stays.
+    let moving = if goal.proposition == BLOCK_IN_ROOM { home.piece_of(&goal) } else { None };
+    let cell = |state: &HomeState, piece: Piece| home.cell(state, piece).index();
+    let place = |state: &HomeState| (moving.map_or(0, |piece| cell(state, piece)), cell(state, Piece::ROBOT));
+    let (mut reached, mut done) = (Reached([0; CELLS]), Reached([0; CELLS]));
+    let mark = |reached: &mut Reached, (block, agent): (usize, usize)| {
+        if let Some(row) = reached.row(block) {
+            *row |= 1_u64.checked_shl(agent as u32).unwrap_or(0);
+        }
+    };
+    mark(&mut reached, place(start));
+    // Each pass handles at least one new place, and there are finitely many.
+    for _ in 0..CELLS * CELLS {
+        let mut fresh = false;
+        for block in 0..home.places().len() {
+            let open = reached.row(block).map_or(0, |row| *row) & !done.row(block).map_or(0, |row| *row);
+            for agent in (0..CELLS).filter(|&agent| open >> agent & 1 == 1) {
+                fresh = true;
+                mark(&mut done, (block, agent));
+                let at = home.put(start, Piece::ROBOT, CellId::new(agent as u16));
+                let at = moving.map_or(at, |piece| home.put(&at, piece, CellId::new(block as u16)));
+                for action in 0..home.actions().len() {
+                    let Some(next) = home.step(&at, Action::new(action as u8)) else { continue };
+                    let mut others = (1..home.pieces()).map(|piece| Piece::new(piece as u8)).filter(|&piece| Some(piece) != moving);
+                    let others_stay = others.all(|piece| home.cell(&next, piece) == home.cell(start, piece));
+                    if !others_stay {
+                        continue;
+                    }
+                    if home.holds(&goal, &next) {
+                        return true;
+                    }
+                    mark(&mut reached, place(&next));
+                }
+            }
+        }
+        if !fresh {
+            return false;
+        }
+    }
+    false
 }

@@ -4,8 +4,7 @@
 //! pushed out again. Otherwise a block in the intended room would often be stuck there. Then no other task could be done any more, no
 //! action would be wrong for them, and the trainer's feedback at the goal could not distinguish the intended task from the rest.
 
-use super::solvable::is_solvable;
-use super::{BlockPlan, Homes, Layout, ROOMS};
+use super::{BlockPlan, Homes, Layout, ROOMS, is_solvable};
 use crate::exercise::{Exercise, HomeName, LESSONS, TESTS};
 use goodbot::home::{Area, Cell};
 use goodbot::memory::HomeMemory;

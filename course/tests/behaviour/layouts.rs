@@ -3,7 +3,7 @@
 use goodbot::home::{Area, Cell, Map};
 use goodbot::{Agent, Capacities, HeapMemory, Options, home};
 use goodbot_course::exercise::HomeName;
-use goodbot_course::layout::{BlockPlan, solvable::is_solvable};
+use goodbot_course::layout::{BlockPlan, is_solvable};
 use goodbot_course::{Homes, Intention, LESSONS, Layout, TESTS, generator};
 
 fn assert_every_command_can_be_obeyed(homes: &Homes, memory: &mut HeapMemory) {

@@ -1,12 +1,10 @@
 //! The lines of a log, and which of them a session can have.
 
-use serde::Serialize;
-
 use super::header::{Kind, SessionHeader};
-use crate::error::{FormatError, KNOWN_VERSIONS, not_json, twice};
+use crate::error::{FormatError, KNOWN_VERSIONS, not_json, quoted, twice};
 use crate::json::{Object, Source};
-use crate::quoted::quoted;
 use crate::task_text::GroundTaskText;
+use serde::Serialize;
 
 /// The trainer's feedback to a step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]

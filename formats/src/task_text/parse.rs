@@ -1,10 +1,9 @@
 //! Reads tasks, and lists the errors.
 
+use super::{GroundAtomText, GroundTaskText, LiftedAtomText, LiftedTaskText, TaskText, WayText, is_name_character};
+use crate::error::quoted;
 use std::fmt;
 use std::str::FromStr;
-
-use super::{GroundAtomText, GroundTaskText, LiftedAtomText, LiftedTaskText, TaskText, WayText, is_name_character};
-use crate::quoted::quoted;
 
 /// A text that is no task. Places count characters from 1.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]

@@ -57,17 +57,123 @@
 //! # Ok::<(), goodbot_formats::FormatError>(())
 //! ```
 
-mod action;
-mod classes;
-mod command;
 mod file;
 mod reader;
-mod reading;
 mod session;
-mod writing;
 
-pub use command::CommandRecord;
 pub use file::{ActionOfWorld, DerivedOfWorld, Literal, ObjectOfWorld, Term, WorldFile};
-pub use reader::{Line, WorldReader};
-pub use reading::field_line;
-pub use session::SessionInWorld;
+pub use reader::{Line, WorldReader, field_line};
+pub use session::{CommandRecord, SessionInWorld};
+
+use crate::error::{FormatError, not_in_world, not_json, quoted, wrong_class};
+use crate::json::{Node, Source};
+use crate::task_text::{GroundAtomText, TaskTextError, is_usable_name};
+use serde::ser::{Serialize, Serializer};
+use std::collections::BTreeMap;
+
+/// Writes the parameters of an action, with their `?`, as an object.
+pub(super) fn write_parameters<S: Serializer>(parameters: &[(String, String)], serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_map(parameters.iter().map(|(name, class)| (format!("?{name}"), class)))
+}
+
+/// Writes a variable, with its `?`.
+pub(super) fn write_variable<S: Serializer>(variable: &str, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_str(&format_args!("?{variable}"))
+}
+
+impl Serialize for Literal {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
+    }
+}
+
+impl std::fmt::Display for Literal {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let sign = if self.negated { "!" } else { "" };
+        write!(f, "{sign}{}(", self.proposition)?;
+        for (position, term) in self.terms.iter().enumerate() {
+            let comma = if position > 0 { "," } else { "" };
+            match term {
+                Term::Variable(name) => write!(f, "{comma}?{name}")?,
+                Term::Object(name) => write!(f, "{comma}{name}")?,
+            }
+        }
+        f.write_str(")")
+    }
+}
+
+impl WorldFile {
+    /// The world on one line, without a line end. Licence and source are left out.
+    ///
+    /// # Errors
+    /// An error if the line could not be read again.
+    pub fn to_json_line(&self) -> Result<String, FormatError> {
+        let line = serde_json::to_string(self).map_err(|error| FormatError::new(1, not_json(error)))?;
+        Self::read(&Source::new(&line, 1).root()?.object()?)?;
+        Ok(line)
+    }
+}
+
+/// A world with a table of its objects' classes.
+pub(super) struct WorldClasses<'w> {
+    world: &'w WorldFile,
+    classes: BTreeMap<&'w str, &'w str>,
+}
+
+impl<'w> WorldClasses<'w> {
+    pub(super) fn of(world: &'w WorldFile) -> Self {
+        WorldClasses { world, classes: world.objects.iter().map(|object| (object.name.as_str(), object.class.as_str())).collect() }
+    }
+
+    pub(super) const fn world(&self) -> &'w WorldFile {
+        self.world
+    }
+
+    pub(super) fn class_of(&self, object: &str) -> Option<&'w str> {
+        self.classes.get(object).copied()
+    }
+
+    /// Propositions about the world's objects.
+    pub(super) fn atoms(&self, list: &Node<'_>) -> Result<Vec<GroundAtomText>, FormatError> {
+        list.list()?.iter().map(|node| self.atom(node)).collect()
+    }
+
+    fn atom(&self, node: &Node<'_>) -> Result<GroundAtomText, FormatError> {
+        let atom: GroundAtomText = node.task()?;
+        if atom.is_negated() {
+            return Err(node.error("is a negated proposition; leave it out: propositions that are not listed do not hold"));
+        }
+        let parameters = self.world.parameters(node, atom.function(), atom.arguments().len())?;
+        for (argument, class) in atom.arguments().iter().zip(parameters) {
+            match self.classes.get(argument.as_str()) {
+                None => return Err(node.error(not_in_world("object", argument))),
+                Some(known) if !self.world.is_a(known, class) => {
+                    return Err(node.error(wrong_class(argument, class)));
+                }
+                Some(_) => {}
+            }
+        }
+        Ok(atom)
+    }
+}
+
+impl WorldFile {
+    /// The classes of a proposition's arguments, if their number is right.
+    pub(super) fn parameters(&self, node: &Node<'_>, function: &str, given: usize) -> Result<&[String], FormatError> {
+        match self.propositions.iter().find(|(name, _)| name == function) {
+            None => Err(node.error(not_in_world("proposition", function))),
+            Some((_, parameters)) if parameters.len() != given => Err(node.error(format!(
+                "{} was given {given} arguments, and it has {} in this world; write that many",
+                quoted(function),
+                parameters.len()
+            ))),
+            Some((_, parameters)) => Ok(parameters),
+        }
+    }
+}
+
+/// A name that a task can have.
+pub(super) fn usable(node: &Node<'_>) -> Result<String, FormatError> {
+    let name = node.text()?;
+    if is_usable_name(&name) { Ok(name) } else { Err(node.error(TaskTextError::UnusableName { name }.to_string())) }
+}

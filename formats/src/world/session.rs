@@ -1,16 +1,14 @@
 //! Sessions in worlds: a command, steps, and their feedback.
 
-use std::sync::Arc;
-
-use serde::Serialize;
-
-use super::WorldFile;
-use super::classes::WorldClasses;
+use super::WorldClasses;
+use super::file::WorldFile;
 use crate::environment::EnvironmentFile;
 use crate::error::{FormatError, KNOWN_VERSIONS, not_json};
 use crate::json::{Object, Source};
 use crate::session::{Kind, RecordedSession, SessionHeader, StrategyRecord, write_conversation};
 use crate::task_text::{GroundAtomText, GroundTaskText};
+use serde::Serialize;
+use std::sync::Arc;
 
 /// A session in a world.
 ///
@@ -126,5 +124,54 @@ impl SessionInWorld {
         let first = serde_json::to_string(&first).map_err(|error| FormatError::new(1, not_json(error)))?;
         Self::header(&Source::new(&first, 1).root()?.object()?, Arc::clone(&self.world))?;
         self.session.to_lines_with(first, |step, line| header.check_feedback(step, line))
+    }
+}
+
+/// A command in a world.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct CommandRecord {
+    /// Its line, counted from 1.
+    pub line: usize,
+    /// The name of its world.
+    pub world: String,
+    /// Its name.
+    pub id: Option<String>,
+    /// The group to keep on one side of a split between training and test data.
+    pub group: Option<String>,
+    /// The words.
+    pub command: String,
+    /// The propositions that are to hold. Empty if the command only ends something.
+    pub intended: Vec<GroundAtomText>,
+    /// The names of commands before it in the same conversation.
+    pub before: Vec<String>,
+    /// The propositions that are to hold no longer.
+    pub ended: Vec<GroundAtomText>,
+    /// The propositions that held at the time of the command, if they differ from the world's.
+    pub facts: Option<Vec<GroundAtomText>>,
+}
+
+const COMMAND_FIELDS: &[&str] = &["type", "world", "id", "group", "language", "command", "intended", "before", "facts", "ended", "part"];
+
+impl CommandRecord {
+    pub(super) fn read(fields: &Object<'_>, line: usize, world: &WorldFile) -> Result<Self, FormatError> {
+        fields.only(COMMAND_FIELDS)?;
+        let text = |name: &str| fields.optional(name).map(|node| node.text()).transpose();
+        for name in ["language", "part"] {
+            text(name)?;
+        }
+        let before = fields.optional("before").map(|before| before.list()?.iter().map(|id| id.text()).collect()).transpose()?;
+        let known = WorldClasses::of(world);
+        let atoms = |name: &str| fields.optional(name).map(|node| known.atoms(&node)).transpose();
+        Ok(Self {
+            line,
+            world: world.name.clone(),
+            id: text("id")?,
+            group: text("group")?,
+            command: fields.required("command")?.filled_text()?,
+            intended: known.atoms(&fields.required("intended")?)?,
+            before: before.unwrap_or_default(),
+            ended: atoms("ended")?.unwrap_or_default(),
+            facts: atoms("facts")?,
+        })
     }
 }

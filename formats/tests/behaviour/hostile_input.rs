@@ -159,8 +159,8 @@ fn a_failing_disk_ends_the_reading() {
     }
     let first_line = LOG.lines().next().unwrap();
     let input = BufReader::new(Cursor::new(format!("{first_line}\n")).chain(Failing));
-    let mut reader = SessionReader::new(input).with_file("log.jsonl");
-    let error = reader.next().unwrap().unwrap_err();
+    let mut reader = SessionReader::new(input);
+    let error = reader.next().unwrap().unwrap_err().with_file("log.jsonl");
     assert_eq!(error.to_string(), "log.jsonl:2: could not be read (the disk is gone); check the file and its disk");
     assert!(reader.next().is_none());
 }

@@ -1,8 +1,8 @@
 //! Writes files on request. Input files are never overwritten, and files that goodbot did not write only with `--force`.
 
-use crate::claim::Claim;
 use crate::outcome::Failure;
 use crate::printed::{self, Printed, printable, well_formed};
+use crate::whole_file::Claim;
 use crate::whole_file::{followed, write_whole};
 use std::fs::File;
 use std::io::Read;

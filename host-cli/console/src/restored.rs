@@ -1,10 +1,10 @@
 //! Restores a model file as an agent, or as a language model for questions in worlds.
 
-use crate::learner;
 use crate::messages::{counted, working};
 use crate::outcome::Failure;
 use crate::starter::Starter;
 use crate::training_data::{Lesson, training};
+use crate::typed;
 use crate::whole_file::read_model;
 use goodbot::language::LanguageModel;
 use goodbot::memory::{AgentHeap, AgentMemory};
@@ -37,7 +37,7 @@ pub fn agent_elsewhere(file: &Path, lifted: &[LiftedTask]) -> Result<Agent<Agent
     let fault = |error: &dyn std::fmt::Display| Failure::Input(format!("{}: {error}", file.display()));
     let bytes = read_model(file)?;
     let contents = Contents::read(&bytes).map_err(|error| fault(&error))?;
-    let memory = learner::memory(&room_for(&contents), &contents.options.language, room_for_tasks(&contents));
+    let memory = typed::memory(&room_for(&contents), &contents.options.language, room_for_tasks(&contents));
     let mut agent = Agent::new(memory, lifted, contents.options).map_err(|error| fault(&error))?;
     if [0, agent.vocabulary()].contains(&contents.vocabulary) {
         agent.restore(&bytes).map_err(|error| fault(&error))?;
@@ -80,7 +80,7 @@ fn restored(file: &Path, bytes: &[u8], lifted: &[LiftedTask], starter: &Starter)
     let fault = |error: &dyn std::fmt::Display| Failure::Input(format!("{}: {error}", file.display()));
     let contents = Contents::read(bytes).map_err(|error| fault(&error))?;
     let tasks = room_for_tasks(&contents) + training::tasks(starter.lessons());
-    let memory = learner::memory(&starter.room(room_for(&contents)), &contents.options.language, tasks);
+    let memory = typed::memory(&starter.room(room_for(&contents)), &contents.options.language, tasks);
     let mut agent = Agent::new(memory, lifted, Options::DEFAULT).map_err(|error| fault(&error))?;
     agent.restore(bytes).map_err(|error| fault(&error))?;
     Ok(agent)
@@ -117,7 +117,7 @@ pub fn language<'m, 'q>(
         ));
     }
     let room = room_for(&contents).plus(training::to_name_tasks(questions));
-    *memory = learner::memory(&room, &contents.options.language, room_for_tasks(&contents));
+    *memory = typed::memory(&room, &contents.options.language, room_for_tasks(&contents));
     let mut model = LanguageModel::new(memory, contents.options.language).map_err(|error| fault(&error))?;
     model.restore(&bytes).map_err(|error| fault(&error))?;
     while model.lend().train(u32::MAX) == Progress::Working {}
@@ -130,7 +130,7 @@ pub fn language<'m, 'q>(
 /// A [`RestoreError`] if this is no model.
 pub fn words(bytes: &[u8]) -> Result<Vec<u8>, RestoreError> {
     let contents = Contents::read(bytes)?;
-    let mut memory = learner::memory(&room_for(&contents), &contents.options.language, room_for_tasks(&contents));
+    let mut memory = typed::memory(&room_for(&contents), &contents.options.language, room_for_tasks(&contents));
     // The memory has room for the whole file, and its settings are valid: this cannot fail.
     let mut model = LanguageModel::new(&mut memory, contents.options.language).map_err(|_| RestoreError::NotAModel)?;
     model.restore(bytes)?;

@@ -1,10 +1,9 @@
 //! The option for a [starter](goodbot_lesson::starter), and its sentences as lessons.
 
-use crate::numbers::name_of;
 use crate::outcome::Failure;
-use crate::training_data::Lesson;
 use crate::training_data::evidence::Witness;
-use crate::training_data::training;
+use crate::training_data::{Lesson, training};
+use crate::typed::name_of;
 use crate::whole_file::options_of_model;
 use clap::{Args, ValueEnum};
 use goodbot::capacity::Capacity;

@@ -2,45 +2,31 @@
 //!
 //! The robot listens to the command once, as `goodbot teach` does: in homes and in worlds from files, from the first lesson on.
 //!
-//! - [`place`]: the place of the commands, and the robot there;
-//! - [`meanings`]: what the robot hears, with the possible meanings;
-//! - [`following`]: several tasks in order, and prohibitions;
-//! - [`plan`]: the actions that lead to a goal;
+//! - [`meanings`]: the place, what the robot hears there, with the possible meanings and the actions that lead to a goal;
 //! - [`why`]: the evidence of each word for a task;
-//! - [`drawing`]: the home as text;
 //! - [`told`]: commands in worlds without actions, where no robot listens.
 
-mod drawing;
-mod following;
 mod meanings;
-mod place;
-mod plan;
 mod told;
 mod why;
 
-use crate::teach::site::{Setting, Site, SiteState};
+use super::teach::site::{Setting, Site, SiteState};
 use clap::{Args, ValueHint};
 use goodbot::Agent;
 use goodbot::capacity::WORDS_PER_COMMAND;
 use goodbot::home::Map;
 use goodbot::language::{Synonyms, first_words};
-use goodbot::memory::AgentMemory;
+use goodbot::memory::{AgentMemory, HomeMemory};
 use goodbot::talk::{ClosedWords, Hypothesis, Verdict};
-use goodbot_console::load::closed_words::ClosedWordOptions;
-use goodbot_console::load::content::Content;
-use goodbot_console::load::input::{self, InputFile};
-use goodbot_console::load::kinds::TaskKinds;
-use goodbot_console::load::synonyms::{SynonymOptions, said_in_known_words};
-use goodbot_console::messages::{counted, tell};
-use goodbot_console::outcome::Failure;
-use goodbot_console::printed::Printed;
-use goodbot_console::starter::StarterOptions;
+use goodbot_console::load::input::Content;
+use goodbot_console::load::words::said_in_known_words;
+use goodbot_console::messages::{is_colored, tell};
 use goodbot_console::training_data::worlds;
 use goodbot_console::whole_file::options_of_model;
-use meanings::{Interpretation, Meaning};
-use plan::{Plan, plan};
+use goodbot_console::{ClosedWordOptions, Failure, InputFile, Printed, StarterOptions, SynonymOptions, TaskKinds, counted, input};
+use meanings::{Interpretation, Meaning, Plan, plan};
 use serde_json::json;
-use std::io::{BufRead, Write};
+use std::io::{self, BufRead, Write};
 use std::path::PathBuf;
 use std::sync::Arc;
 use told::Told;
@@ -119,7 +105,7 @@ pub fn run(options: &AskOptions) -> Result<(), Failure> {
         Asked::Heard(setting, commands) => (setting, commands),
         Asked::Told(commands) => return told::ask(options, &commands),
     };
-    let (mut agent, site, mut start) = place::robot(options, &setting)?;
+    let (mut agent, site, mut start) = meanings::robot(options, &setting)?;
     let (synonyms, closed) = (options.synonyms.read()?, options.closed_words.read()?);
     let mut out = Printed::stdout();
     let mut refused = 0_usize;
@@ -146,7 +132,7 @@ pub fn run(options: &AskOptions) -> Result<(), Failure> {
             writeln!(out)?;
         }
         if let (Site::Floor(home), SiteState::Floor(before)) = (&site, &before) {
-            drawing::draw(&mut out, &Map::new(home, before))?;
+            draw(&mut out, &Map::new(home, before))?;
             writeln!(out)?;
         }
         print(&mut out, options, command, &answer)?;
@@ -409,4 +395,36 @@ fn words(out: &mut impl Write, answer: &Answer) -> std::io::Result<()> {
         writeln!(out, "  {:said$}  {:token$}  {:6.2}", word.word, word.token, word.share)?;
     }
     Ok(())
+}
+
+/// Draws a home.
+///
+/// # Errors
+/// The error of the output.
+pub fn draw(out: &mut Printed, map: &Map<'_, impl HomeMemory>) -> io::Result<()> {
+    for line in map.to_string().lines() {
+        write!(out, "  ")?;
+        for character in line.chars() {
+            match code(character).filter(|_| is_colored()) {
+                Some(code) => out.paint(code, character.encode_utf8(&mut [0; 4]))?,
+                None => write!(out, "{character}")?,
+            }
+        }
+        writeln!(out)?;
+    }
+    Ok(())
+}
+
+/// The terminal's colour for a letter of the drawing.
+fn code(character: char) -> Option<u8> {
+    Some(match character {
+        'r' => 31,
+        'g' => 32,
+        'b' => 34,
+        'y' | 'o' => 33,
+        'p' => 35,
+        't' => 36,
+        '@' => 1,
+        _ => return None,
+    })
 }

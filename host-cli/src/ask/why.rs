@@ -8,7 +8,8 @@ use goodbot::oomdp::{Domain, Schema};
 use goodbot::symbols::Symbol;
 use goodbot::task::{Role, RoleKind};
 use goodbot::{Agent, AgentError};
-use goodbot_console::training_data::{MachineCommand, evidence};
+use goodbot_console::evidence;
+use goodbot_console::training_data::MachineCommand;
 use goodbot_lesson::first_words::heard;
 
 /// The explanation of a word.

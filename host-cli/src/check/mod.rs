@@ -11,15 +11,11 @@ use goodbot::home::paper_tasks;
 use goodbot::oomdp::{Domain, check as soundness};
 use goodbot::talk::{Class, ClosedWords, ClosedWordsError};
 use goodbot::task::LiftedTask;
-use goodbot_console::load::content::{Content, HEAD};
-use goodbot_console::load::input::{self, InputFile};
-use goodbot_console::load::kinds::TaskKinds;
-use goodbot_console::load::limit::Limit;
-use goodbot_console::messages::{self, counted, counting, say, summed, summed_by};
-use goodbot_console::outcome::Failure;
-use goodbot_console::printed::Printed;
+use goodbot_console::load::input::{Content, HEAD};
+use goodbot_console::messages::{summed, summed_by};
 use goodbot_console::training_data::worlds;
 use goodbot_console::whole_file::MOST_BYTES;
+use goodbot_console::{Failure, InputFile, Limit, Printed, TaskKinds, counted, counting, input, messages, say};
 use goodbot_formats::NOT_UTF8;
 use goodbot_formats::environment::{self, EnvironmentFile};
 use goodbot_formats::map;
@@ -175,8 +171,7 @@ fn tell_json(file: &str, found: &Findings) -> std::io::Result<()> {
 fn check(file: &InputFile, lifted: &[LiftedTask], limit: Limit) -> Result<Findings, Fault> {
     let name = input::name(file);
     let mut opened = input::open(file)?;
-    let unreadable = |error: std::io::Error| Fault::new(name, format!("cannot be read ({error}); check its name and that you may read it"));
-    let content = Content::of(opened.fill_buf().map_err(unreadable)?);
+    let content = Content::of(opened.fill_buf().map_err(input::unreadable(name))?);
     if matches!(content, Content::Log | Content::Worlds) && std::fs::metadata(file).is_ok_and(|it| it.len() > LONG) {
         say!("{name}: has more than {} MB, every line of which is checked; --limit N checks the first N sessions alone", LONG / 1_000_000);
     }
@@ -348,11 +343,12 @@ fn check_worlds(file: &str, mut opened: impl BufRead, limit: Limit) -> Result<Fi
 
 /// Everything up to the end of the first line that is not blank, and whether more follows.
 fn first_line(file: &str, opened: &mut impl BufRead) -> Result<(Vec<u8>, bool), Fault> {
-    let unreadable = |error: std::io::Error| Fault::new(file, format!("cannot be read ({error}); check its name and that you may read it"));
     let mut head = Vec::new();
-    while head.trim_ascii().is_empty() && opened.by_ref().take(MOST_BYTES).read_until(b'\n', &mut head).map_err(unreadable)? > 0 {}
+    while head.trim_ascii().is_empty()
+        && opened.by_ref().take(MOST_BYTES).read_until(b'\n', &mut head).map_err(input::unreadable(file))? > 0
+    {}
     while (head.len() as u64) < MOST_BYTES {
-        let rest = opened.fill_buf().map_err(unreadable)?;
+        let rest = opened.fill_buf().map_err(input::unreadable(file))?;
         if rest.is_empty() {
             return Ok((head, false));
         }

@@ -1,14 +1,11 @@
-//! Runs the course once for each seed, in parallel on all cores.
+//! Runs the course once for each seed, in parallel on all cores; and what the paper reports of its one agent.
 
-use super::lexicon::Lexicon;
 use super::options::{Layouts, PaperOptions};
-use super::reported::REPORTED;
+use crate::words::Lexicon;
 use goodbot::memory::HomeHeap;
 use goodbot::{Agent, Capacities, HeapMemory, Options, home};
-use goodbot_console::learner;
-use goodbot_console::messages::bar;
-use goodbot_console::outcome::Failure;
-use goodbot_course::{CourseError, Homes, Observer, Results, generator, run_course};
+use goodbot_console::{Failure, bar, typed};
+use goodbot_course::{CourseError, CourseTrainer, Homes, LESSONS, Observer, Results, generator, run_course};
 use indicatif::ProgressBar;
 use rayon::prelude::*;
 
@@ -37,7 +34,7 @@ pub fn run_seed(options: &PaperOptions, seed: u64, observer: &mut impl Observer)
 fn attempt(options: &PaperOptions, seed: u64, observer: &mut impl Observer) -> Result<(Run, Lexicon), CourseError> {
     let lifted = home::paper_tasks().map_err(|_| CourseError::NotPosed)?;
     let options_of_agent = Options { weights: options.weights.into(), telling: false, ..options.learner.options() };
-    let agent = learner::memory(&CAPACITIES, &options_of_agent.language, CAPACITIES.pairs);
+    let agent = typed::memory(&CAPACITIES, &options_of_agent.language, CAPACITIES.pairs);
     let mut memory = HeapMemory { home: HomeHeap::new(&CAPACITIES), agent };
     let mut agent = Agent::new(&mut memory.agent, &lifted, options_of_agent).map_err(CourseError::Agent)?;
     let mut random = generator(seed);
@@ -75,4 +72,39 @@ pub fn run_all(options: &PaperOptions) -> Result<Vec<Run>, Failure> {
         .collect();
     bar.finish_and_clear();
     runs
+}
+
+/// The translations that the paper reports, and one that separates go from take: the machine token of Model 2, the value of the role model,
+/// the word.
+pub const REPORTED: [(&str, &str, &str); 4] = [
+    ("agentInRoom", "agentInRoom", "go"),
+    ("shapeBag", "shapeBag", "bag"),
+    ("roomIsRed", "colorRed", "red"),
+    ("blockInRoom", "blockInRoom", "take"),
+];
+
+/// The paper's results for its agent, which one trainer taught (section 5).
+#[derive(Clone, Copy, Debug)]
+pub struct Reported {
+    /// How many of the five tests were right.
+    pub tests: usize,
+    /// Which lessons needed no correction.
+    pub lessons: Option<[bool; LESSONS.len()]>,
+    /// The translations of [`REPORTED`].
+    pub translations: Option<[f64; REPORTED.len()]>,
+}
+
+/// The results with the first trainer.
+pub const PAPER_BALANCED: Reported =
+    Reported { tests: 5, lessons: Some([false, true, false, false, true, true, true]), translations: Some([0.51, 0.32, 0.33, 0.33]) };
+/// The results with the second trainer, who was only allowed to punish.
+pub const PAPER_PUNISH_ONLY: Reported = Reported { tests: 4, lessons: None, translations: None };
+
+impl PaperOptions {
+    /// The paper's results for this trainer, if the agent expects the same strategy, as in the paper.
+    pub fn reported_by_paper(&self) -> Option<Reported> {
+        let as_in_paper = self.believed().trainer.strategy == self.trainer.trainer.strategy;
+        let known = [(CourseTrainer::BALANCED, PAPER_BALANCED), (CourseTrainer::PUNISH_ONLY, PAPER_PUNISH_ONLY)];
+        known.into_iter().find(|(trainer, _)| as_in_paper && *trainer == self.trainer.trainer).map(|(_, reported)| reported)
+    }
 }

@@ -1,37 +1,24 @@
 //! `goodbot paper`: the paper's experiment.
 //!
-//! - [`options`]: the options;
-//! - [`experiment`]: the runs;
-//! - [`trainer`]: trainers by name or numbers, and the agent's belief about them;
-//! - [`sweep`]: a range of values for a number of the trainer; `settings`: all combinations of sweeps;
-//! - `reported`: the paper's own results;
-//! - [`lexicon`]: the learned words of an agent;
+//! - [`options`]: the options, with trainers by name or numbers;
+//! - [`sweep`]: a range of values for a number of the trainer, and all combinations of sweeps;
+//! - [`experiment`]: the runs, and the paper's own results;
 //! - [`story`]: one run as it happens;
-//! - [`table`]: results as tables;
-//! - [`summary`]: the summary of all runs, and JSON;
-//! - [`plot`][]: pictures.
+//! - [`summary`]: the summary of all runs, as tables, JSON and pictures.
 
 mod experiment;
-pub mod lexicon;
 pub mod options;
-pub mod plot;
-mod reported;
-mod settings;
 mod story;
-mod summary;
+pub mod summary;
 pub mod sweep;
-mod table;
-pub mod trainer;
 
-use goodbot_console::messages::say;
-use goodbot_console::outcome::Failure;
-use goodbot_console::output::{self, Output};
+use goodbot_console::{Failure, Output, output, say};
 use goodbot_course::{LESSONS, TESTS};
 use options::PaperOptions;
-use settings::{Setting, settings};
 use std::io::Write;
 use std::path::Path;
 use summary::{Summary, run_to_json};
+use sweep::{Setting, settings};
 
 /// Runs the experiment, and prints it in the form that the options choose.
 ///
@@ -55,10 +42,10 @@ fn one_run(options: &PaperOptions, target: Option<&Output>, out: &mut impl Write
     let lexicon = lexicon.written_out(commands, options.learner.options().language.letters_kept());
     // The picture comes first, so that it is written even if the reader of the text stops early.
     if let Some(target) = target {
-        picture(target, plot::learned_words(&lexicon))?;
+        picture(target, summary::learned_words(&lexicon))?;
     }
     told?;
-    Ok(table::one_run(out, &run, &lexicon)?)
+    Ok(summary::one_run(out, &run, &lexicon)?)
 }
 
 fn many_runs(options: &PaperOptions, target: Option<&Output>, out: &mut impl Write) -> Result<(), Failure> {
@@ -69,8 +56,8 @@ fn many_runs(options: &PaperOptions, target: Option<&Output>, out: &mut impl Wri
         if let Some(target) = target {
             let lone = runs.first().filter(|_| runs.len() == 1);
             let drawn = match lone {
-                Some(run) => plot::learned_words(&experiment::run_seed(options, run.seed, &mut ())?.1),
-                None => plot::shares(&summary, options),
+                Some(run) => summary::learned_words(&experiment::run_seed(options, run.seed, &mut ())?.1),
+                None => summary::shares(&summary, options),
             };
             picture(target, drawn)?;
         }
@@ -84,9 +71,9 @@ fn many_runs(options: &PaperOptions, target: Option<&Output>, out: &mut impl Wri
     }
     match rows.as_slice() {
         _ if options.json => {}
-        rows if options.csv => table::csv(out, options, rows)?,
-        [(_, summary)] if options.sweep.is_empty() => table::many_runs(out, options, summary)?,
-        rows => table::sweep(out, options, rows)?,
+        rows if options.csv => summary::csv(out, options, rows)?,
+        [(_, summary)] if options.sweep.is_empty() => summary::many_runs(out, options, summary)?,
+        rows => summary::sweep(out, options, rows)?,
     }
     Ok(())
 }

@@ -1,17 +1,15 @@
 //! Tells one run as it happens: the home, the command, the agent's belief and actions, and the trainer's feedback.
 
 use super::experiment::{Run, run_seed};
-use super::lexicon::Lexicon;
 use super::options::PaperOptions;
+use crate::words::Lexicon;
 use goodbot::Agent;
 use goodbot::feedback::Feedback;
 use goodbot::home::Map;
-use goodbot::memory::AgentMemory;
-use goodbot::memory::HomeMemory;
+use goodbot::memory::{AgentMemory, HomeMemory};
 use goodbot::oomdp::action_name;
 use goodbot::planning::OptimalSet;
-use goodbot_console::numbers::name_of;
-use goodbot_console::outcome::Failure;
+use goodbot_console::{Failure, name_of};
 use goodbot_course::{CourseTrainer, Ending, LESSONS, LessonReport, Observer, Scene, Step, TESTS, TestReport};
 use goodbot_lesson::name::in_words;
 use std::io::{self, Write};

@@ -7,11 +7,8 @@ use goodbot::oomdp::Domain;
 use goodbot::session::Evidence;
 use goodbot::task::LiftedTask;
 use goodbot::{Agent, AgentError, Capacities, Options};
-use goodbot_console::believes::Believes;
-use goodbot_console::load::synonyms::said_in_known_words;
-use goodbot_console::outcome::Failure;
-use goodbot_console::restored;
-use goodbot_console::training_data::evidence;
+use goodbot_console::load::words::said_in_known_words;
+use goodbot_console::{Believes, Failure, evidence, restored};
 use goodbot_formats::environment::EnvironmentFile;
 use goodbot_formats::posterior::PosteriorLine;
 use goodbot_formats::session::{Kind, RecordedSession};
@@ -120,7 +117,7 @@ impl History {
     ) -> Result<Self, goodbot::AgentError> {
         let options = believes.as_ref().map_or(options, |believes| believes.options(options));
         Ok(Self {
-            agent: Agent::new(goodbot_console::learner::memory(&CAPACITIES, &options.language, CAPACITIES.pairs), lifted, options)?,
+            agent: Agent::new(goodbot_console::typed::memory(&CAPACITIES, &options.language, CAPACITIES.pairs), lifted, options)?,
             learning,
             learned: 0,
             kept: 0,
@@ -171,7 +168,7 @@ impl History {
             }
         };
         let Some((_, robot, lifted)) = self.worlds.get(known) else { return Err(vec![]) };
-        let mut session = world::checked::check_steps(file, recorded, *robot, lifted)?;
+        let mut session = world::check_steps(file, recorded, *robot, lifted)?;
         let lifted = lifted.clone();
         self.expect_tasks(&lifted).map_err(|message| at(&message))?;
         self.go_through(file, &recorded.session, &mut session, "this step of the demonstration changes nothing")
@@ -183,7 +180,7 @@ impl History {
             return Ok(());
         }
         let options = *self.agent.options();
-        let memory = goodbot_console::learner::memory(&CAPACITIES, &options.language, CAPACITIES.pairs);
+        let memory = goodbot_console::typed::memory(&CAPACITIES, &options.language, CAPACITIES.pairs);
         let mut agent = Agent::new(memory, lifted, options)?;
         if self.learned + self.kept > 0 {
             agent.join(&restored::words(&self.agent.saved()?)?)?;

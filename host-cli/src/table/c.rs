@@ -1,7 +1,7 @@
 //! A robot as C.
 
-use super::source::{Part, Source};
-use crate::size::source::c_table;
+use super::{Part, Source, list};
+use crate::size::c_table;
 use goodbot::task::LiftedTask;
 use goodbot_capi::memory::bytes_32;
 use goodbot_lesson::world::robot::{DigitAt, WorldFlaw};
@@ -36,10 +36,6 @@ fn identifier(text: &str) -> String {
     let word: String = text.chars().take(MOST_LETTERS).map(letter).collect();
     let is_own = word.starts_with(|first: char| first.is_ascii_lowercase()) && !word.starts_with("goodbot");
     if is_own { word } else { format!("world_{word}") }
-}
-
-fn list(items: impl Iterator<Item = String>) -> String {
-    items.collect::<Vec<_>>().join(", ")
 }
 
 fn digit(DigitAt { digit, value }: DigitAt) -> String {

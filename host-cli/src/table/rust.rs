@@ -1,13 +1,9 @@
 //! A robot in Rust.
 
-use super::source::{Part, Source};
-use crate::size::source::rust_fields;
+use super::{Part, Source, list};
+use crate::size::rust_fields;
 use goodbot_lesson::world::robot::DigitAt;
 use std::fmt::Write;
-
-fn list(items: impl Iterator<Item = String>) -> String {
-    items.collect::<Vec<_>>().join(", ")
-}
 
 fn digit(DigitAt { digit, value }: DigitAt) -> String {
     format!("[{}, {}, {value}]", digit.unit, digit.values)

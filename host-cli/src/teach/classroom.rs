@@ -1,13 +1,12 @@
 //! One visit to a robot, on a screen or in lines: the robot, its files and the tour.
 
-use super::full_words::FullWords;
 use super::kept::{Kept, Past};
-use super::lessons::{Tour, is_lesson};
-use super::next_lesson::{Next, propose};
+use super::lessons::{Next, Tour, is_lesson, propose};
 use super::pupil::{Meaning, Pupil, Reaction};
 use super::site::{Recorded, session};
+use crate::words::FullWords;
 use goodbot::planning::Progress;
-use goodbot_console::outcome::Failure;
+use goodbot_console::Failure;
 use goodbot_formats::environment::EnvironmentFile;
 use goodbot_lesson::first_words::words_read;
 use goodbot_lesson::live::LiveError;

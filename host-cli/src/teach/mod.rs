@@ -1,44 +1,31 @@
 //! `goodbot teach`: train the robot, on a screen or in lines.
 //!
-//! - [`pupil`]: a robot in its [`site`], and the session under way: all calls to the core. A [`scene`] or a [`table`] shows the site;
-//! - [`kept`]: the robot's files; [`lessons`]: the tour; [`next_lesson`]: the next lesson to teach; [`classroom`]: all of these together;
+//! - [`pupil`]: a robot in its [`site`], and the session under way: all calls to the core;
+//! - [`kept`]: the robot's files; [`lessons`]: the tour, and what to teach next; [`classroom`]: all of these together;
 //! - [`protocol`]: lines in, JSON out;
-//! - [`visit`]: the effects of keys and of time, with [`keys`], [`prompt`] and [`pace`]. [`screen`] draws it in the colours of [`palette`],
-//!   on a [`terminal`] or as a [`picture`].
+//! - [`visit`]: the effects of [`keys`] and of time. [`screen`] draws it in the colours of [`palette`], on a [`terminal`] or as a [`picture`].
 
 mod classroom;
-pub mod full_words;
 pub mod kept;
 mod keys;
 mod lessons;
-mod next_lesson;
-mod pace;
 mod palette;
 mod picture;
-pub mod plain_names;
-mod prompt;
 mod protocol;
 mod pupil;
-mod scene;
 mod screen;
 pub mod site;
-mod table;
 mod terminal;
 mod visit;
 
 use clap::{Args, ValueHint};
 use classroom::Classroom;
-use goodbot_console::believes::Believes;
-use goodbot_console::learner::Learner;
-use goodbot_console::load::closed_words::ClosedWordOptions;
-use goodbot_console::load::input::{self, InputFile};
 use goodbot_console::load::kinds;
-use goodbot_console::load::synonyms::SynonymOptions;
-use goodbot_console::messages::{counted, is_colored, say};
-use goodbot_console::outcome::Failure;
-use goodbot_console::output::{Kind, Output};
-use goodbot_console::printed::{self, Printed};
-use goodbot_console::starter::StarterOptions;
+use goodbot_console::messages::is_colored;
+use goodbot_console::{
+    Believes, ClosedWordOptions, Failure, InputFile, Kind, Learner, Output, Printed, StarterOptions, SynonymOptions, counted, input,
+    printed, say,
+};
 use goodbot_formats::environment::EnvironmentFile;
 use goodbot_formats::world::WorldFile;
 use goodbot_lesson::first_words::words_read;
@@ -46,7 +33,6 @@ use goodbot_lesson::world::robot::{self, Tables};
 use kept::{Kept, Past, RobotFiles};
 use keys::Intent;
 use lessons::Tour;
-use pace::Pace;
 use palette::Palette;
 use pupil::Pupil;
 use site::Setting;
@@ -54,6 +40,7 @@ use std::io::{IsTerminal, Write, stdin};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
+use visit::time::Pace;
 use visit::{Phase, Visit};
 
 /// The default names of the robot, and of the tour's robot.
@@ -89,7 +76,7 @@ pub struct TeachOptions {
     #[arg(long, conflicts_with = "home")]
     random: bool,
     /// Seed of everything that is drawn: the same seed and the same words give the same visit [default: 1]
-    #[arg(long, short = 's', value_name = "S", value_parser = goodbot_console::numbers::seed, allow_negative_numbers = true)]
+    #[arg(long, short = 's', value_name = "S", value_parser = goodbot_console::typed::seed)]
     seed: Option<u64>,
     /// Consider ways too: commands may mean to go through a room, through one of two, or to avoid one
     #[arg(long, conflicts_with_all = ["tour", "picture"])]
@@ -158,7 +145,7 @@ pub fn run(options: &TeachOptions) -> Result<(), Failure> {
 
 /// A visit in the terminal.
 fn visit(classroom: Classroom, pace: Pace, seed: u64) -> Result<(), Failure> {
-    let palette = if is_colored() { Palette::of(|name| std::env::var(name).ok()) } else { Palette::None };
+    let palette = if is_colored() { Palette::of_terminal() } else { Palette::None };
     let mut visit = Visit::new(classroom, pace, seed);
     let shown = terminal::show(&mut visit, palette);
     // Learning is completed, and a session under way goes to the log.

@@ -1,11 +1,12 @@
 //! Colours. No meaning is shown by a colour alone: a letter or a word repeats it.
 
+use crossterm::style::available_color_count;
 use ratatui::style::{Color, Modifier, Style};
 
 /// The number of colours in the terminal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Palette {
-    /// No colours: they are unwanted, or the terminal has none.
+    /// No colours: they are unwanted.
     None,
     /// The sixteen colours of every terminal.
     Sixteen,
@@ -27,16 +28,9 @@ const SHADES: [(&str, u8, u8, Color); 9] = [
 ];
 
 impl Palette {
-    /// The terminal's palette, by its environment variables.
-    pub fn of(variable: impl Fn(&str) -> Option<String>) -> Self {
-        let term = variable("TERM").unwrap_or_default();
-        match () {
-            () if term == "dumb" => Self::None,
-            () if term.contains("256") || term.contains("direct") || variable("COLORTERM").is_some_and(|value| !value.is_empty()) => {
-                Self::Many
-            }
-            () => Self::Sixteen,
-        }
+    /// The terminal's palette.
+    pub fn of_terminal() -> Self {
+        if available_color_count() > 16 { Self::Many } else { Self::Sixteen }
     }
 
     fn shades(name: &str) -> Option<(u8, u8, Color)> {
@@ -119,18 +113,6 @@ impl Palette {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    fn of(set: &[(&str, &str)]) -> Palette {
-        Palette::of(|name| set.iter().find(|(known, _)| *known == name).map(|(_, value)| (*value).to_owned()))
-    }
-
-    #[test]
-    fn the_environment_says_how_many_colours_there_are() {
-        assert_eq!(of(&[("TERM", "xterm")]), Palette::Sixteen);
-        assert_eq!(of(&[("TERM", "xterm-256color")]), Palette::Many);
-        assert_eq!(of(&[("TERM", "xterm"), ("COLORTERM", "truecolor")]), Palette::Many);
-        assert_eq!(of(&[("TERM", "dumb")]), Palette::None);
-    }
 
     #[test]
     fn without_colours_no_style_has_one() {

@@ -78,65 +78,6 @@ fn the_same_seed_gives_the_same_bytes_on_one_core_and_on_many_and_among_other_ag
 }
 
 #[test]
-fn parts_join_to_the_same_bytes_as_one_run_in_any_order_and_however_they_are_shown() {
-    let folder = folder("study-parts");
-    let files: Vec<String> = (1..=4)
-        .map(|part| {
-            let file = folder.join(format!("{part}.jsonl"));
-            std::fs::write(&file, small_output(&["--json", "--shard", &format!("{part}/4")])).unwrap();
-            file.to_str().unwrap().to_owned()
-        })
-        .collect();
-    let merge = |order: [usize; 4], more: &[&str]| {
-        let named: Vec<&str> = order.iter().map(|&part| files[part].as_str()).collect();
-        output(&[&["--merge"], named.as_slice(), more].concat())
-    };
-    let whole = small_output(&["--json"]);
-    assert_eq!(merge([0, 1, 2, 3], &["--json"]), whole);
-    assert_eq!(merge([2, 0, 3, 1], &["--json"]), whole);
-    assert_eq!(merge([0, 1, 2, 3], &["--csv"]), small_output(&["--csv"]));
-    // A study without shards has one part: the whole.
-    let file = folder.join("whole.jsonl");
-    std::fs::write(&file, &whole).unwrap();
-    assert_eq!(output(&["--merge", file.to_str().unwrap(), "--json"]), whole);
-}
-
-#[test]
-fn parts_that_are_no_whole_are_refused_with_what_is_missing() {
-    let folder = folder("study-faults");
-    let write = |name: &str, text: &str| {
-        let file = folder.join(name);
-        std::fs::write(&file, text).unwrap();
-        file.to_str().unwrap().to_owned()
-    };
-    let first = small_output(&["--json", "--shard", "1/2"]);
-    let one = write("one", &first);
-    let two = write("two", &small_output(&["--json", "--shard", "2/2"]));
-    refused(&["--merge", &one], "part 2/2 is missing; run it with --shard 2/2");
-    refused(&["--merge", &one, &two, &one], "are both part 1/2");
-    let other = write("other", &output(&["--courses", "told", "--agents", "none+none", "--runs", "2", "--json", "--shard", "2/2"]));
-    refused(&["--merge", &one, &other], "is of another study");
-    let third = write("third", &small_output(&["--json", "--shard", "3/3"]));
-    refused(&["--merge", &one, &third], "join parts of one division");
-    let cut = write("cut", &first.lines().take(5).map(|line| format!("{line}\n")).collect::<String>());
-    refused(&["--merge", &cut, &two], "a file is cut off or was changed");
-    for (seeds, is) in [("4294967295", "a file is cut off or was changed"), ("0", "has no number of runs")] {
-        let of_many =
-            [&first, &std::fs::read_to_string(&two).unwrap()].map(|text| text.replacen("\"runs\":4", &format!("\"runs\":{seeds}"), 1));
-        refused(&["--merge", &write("one-of-many", &of_many[0]), &write("two-of-many", &of_many[1])], is);
-    }
-    let half = write("half", &first[..first.len() - 20]);
-    refused(&["--merge", &half, &two], "half:9: is no JSON");
-    refused(&["--merge", &write("empty", "")], "is empty");
-    refused(&["--merge", &write("words", "{\"type\":\"session\"}\n")], "is no study");
-    refused(&["--merge", folder.join("none").to_str().unwrap()], "cannot be read");
-    let changed = write("changed", &first.replacen("rate", "pace", 1));
-    refused(&["--merge", &changed, &two], "has other settings of tamer+roles");
-    refused(&["--merge", &write("later", &first.replacen("\"version\":3", "\"version\":9", 1)), &two], "another version of goodbot");
-    refused(&["--merge", &write("steps", &first.replacen("\"steps\":[", "\"steps\":[-", 1)), &two], "has no whole number in steps[0]");
-}
-
-#[test]
 fn names_that_are_none_are_refused_with_those_that_are_alike() {
     refused(&["--agents", "tamer+rolls"], "'tamer+roles'");
     refused(&["--courses", "freed"], "'free'");
@@ -165,12 +106,6 @@ fn a_program_is_a_language_and_one_that_knows_nothing_is_as_good_as_none() {
     let zeros = language("study-zeros", "ZEROS");
     let asked = ask("sabl+program", &["--program", &zeros]);
     assert_eq!((asked.len(), &asked), (2, &ask("sabl+none", &[])));
-    // The file names the program, and so the parts of a study with it can be joined.
-    let part = folder("study-program").join("part.jsonl");
-    let run =
-        output(&["--runs", "2", "--courses", "told", "--trainers", "mute", "--agents", "sabl+program", "--program", &zeros, "--json"]);
-    std::fs::write(&part, &run).expect("a part");
-    assert_eq!(output(&["--merge", part.to_str().unwrap(), "--json"]), run);
 }
 
 #[test]
@@ -209,25 +144,13 @@ fn a_program_that_never_answers_ends_the_study_with_what_to_do() {
 #[cfg(unix)]
 fn with_a_program_every_inference_has_it_as_one_of_its_languages() {
     let zeros = language("study-every", "ZEROS");
-    let asked = |agents: &[&str], more: &[&str]| {
-        let study = ["--courses", "told", "--trainers", "mute", "--runs", "2", "--program", &zeros, "--program-runs", "1"];
-        output(&[&study[..], agents, more].concat())
-    };
-    let text = asked(&[], &["--csv"]);
+    let text = output(&["--courses", "told", "--trainers", "mute", "--runs", "2", "--program", &zeros, "--program-runs", "1", "--csv"]);
     let rows: Vec<Vec<&str>> = text.lines().skip(1).map(|line| line.split(',').collect()).collect();
     assert_eq!(rows.len(), 6 * 5, "{text}");
     let agents: Vec<&str> = rows[..5].iter().map(|row| row[2]).collect();
     assert_eq!(agents, ["this+roles", "this+model2", "this+loglinear", "this+program", "this+none"]);
     let with: Vec<&str> = rows.iter().filter(|row| row[2].ends_with("+program")).map(|row| row[4]).collect();
     assert_eq!(with, ["1"; 6], "the program has the first seed only: {text}");
-    // Parts have as many seeds with the program as the whole.
-    let (folder, two) = (folder("study-every-parts"), ["--agents", "sabl+none,sabl+program"]);
-    let parts = ["1/2", "2/2"].map(|part| {
-        let file = folder.join(part.replace('/', "-"));
-        std::fs::write(&file, asked(&two, &["--json", "--shard", part])).expect("a part");
-        file.to_str().expect("a name").to_owned()
-    });
-    assert_eq!(output(&["--merge", &parts[0], &parts[1], "--csv"]), asked(&two, &["--csv"]));
 }
 
 #[test]
@@ -235,11 +158,6 @@ fn numbers_that_are_none_are_refused_with_what_to_give() {
     refused(&["--runs", "0"], "give a whole number from 1 to 100000");
     refused(&["--runs", "-3"], "give a whole number from 1 to 100000");
     refused(&["--seed", "x"], "give a whole number from 0");
-    refused(&["--json", "--shard", "3/2"], "there is no part 3 of 2; the last is 2/2");
-    refused(&["--json", "--shard", "0/2"], "such as 1/4");
-    refused(&["--json", "--shard", "half"], "such as 1/4");
-    refused(&["--shard", "1/2"], "--json");
-    refused(&["--merge", "a", "--agents", "paper"], "cannot be used with");
 }
 
 #[test]
@@ -264,7 +182,7 @@ fn a_fit_tells_what_trainers_of_a_log_do_and_checks_simulated_ones() {
 #[test]
 fn help_teaches_and_names_all_courses_agents_and_trainers() {
     let help = goodbot(&["study", "--help"], b"").output;
-    for part in ["told", "tamer+roles", "punish-only", "--shard 1/2 --json > one.jsonl", "wrongly_certain"] {
+    for part in ["told", "tamer+roles", "punish-only", "wrongly_certain"] {
         assert!(help.contains(part), "no {part:?} in {help}");
     }
 }

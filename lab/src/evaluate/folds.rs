@@ -1,13 +1,9 @@
 //! Trains on some sessions, asks others, and collects the answers.
 
-use super::method::{Method, Trained};
+use super::method::{Method, Trained, Wordless};
 use super::novel::Novel;
-use super::wordless::Wordless;
 use goodbot::language::{Settings, Synonyms};
-use goodbot_console::messages::bar;
-use goodbot_console::outcome::Failure;
-use goodbot_console::starter::Starter;
-use goodbot_console::training_data::{Lesson, training};
+use goodbot_console::{Failure, Lesson, Starter, bar, training};
 use rand_core::Rng;
 use rayon::prelude::*;
 

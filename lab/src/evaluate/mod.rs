@@ -1,22 +1,18 @@
 //! `goodbot evaluate`: the accuracy for commands that were not trained on.
 //!
-//! - [`split`]: the sessions that are left out together;
+//! - [`split`]: the sessions that are left out together, and test sessions that were trained on nevertheless;
 //! - [`folds`]: training on some sessions and asking others;
-//! - [`method`]: the models that are compared;
-//! - [`wordless`]: the control, a learner without words;
-//! - [`copies`]: test sessions that were trained on nevertheless;
+//! - [`method`]: the models that are compared, and the control, a learner without words;
 //! - [`novel`]: the same commands in other layouts;
 //! - [`curve`]: accuracy against the number of sessions;
 //! - [`report`]: the report.
 
-mod copies;
 mod curve;
 mod folds;
 mod method;
 mod novel;
 pub mod report;
 mod split;
-mod wordless;
 
 use crate::calibration;
 use clap::{Args, ValueHint};
@@ -24,18 +20,12 @@ use folds::Experiment;
 use goodbot::memory::AgentHeap;
 use goodbot::task::LiftedTask;
 use goodbot::{Capacities, Options};
-use goodbot_console::load::input::InputFile;
-use goodbot_console::load::kinds::TaskKinds;
-use goodbot_console::load::limit::Limit;
-use goodbot_console::load::synonyms::SynonymOptions;
-use goodbot_console::messages::{counted, say};
-use goodbot_console::numbers::between;
-use goodbot_console::outcome::Failure;
-use goodbot_console::output::{self, Output};
-use goodbot_console::restored;
-use goodbot_console::starter::{Starter, StarterOptions};
-use goodbot_console::training_data::{self, Lesson, Lessons, LogOptions};
+use goodbot_console::training_data::{Lessons, LogOptions};
 use goodbot_console::whole_file::options_of_model;
+use goodbot_console::{
+    Failure, InputFile, Lesson, Limit, Output, Starter, StarterOptions, SynonymOptions, TaskKinds, between, counted, output, restored, say,
+    training_data,
+};
 use method::{Method, Trained};
 use novel::Novel;
 use report::{SessionCounts, Summary};
@@ -66,7 +56,7 @@ pub struct EvaluateOptions {
     #[arg(long, conflicts_with_all = ["k_fold", "group", "leave_environment_out", "leave_task_out"])]
     leave_one_out: bool,
     /// Train on all but one of K parts, in turn; K is 2 or more (10 is the default for more than 500 sessions)
-    #[arg(long, short = 'k', value_name = "K", value_parser = between(2_usize, 65_535), allow_negative_numbers = true)]
+    #[arg(long, short = 'k', value_name = "K", value_parser = between(2_usize, 65_535))]
     k_fold: Option<usize>,
     /// Leave out whole groups of sessions with this in common: each group in turn, or each of K parts of groups
     #[arg(long, short = 'g', value_enum, value_name = "WHAT", conflicts_with_all = ["leave_environment_out", "leave_task_out"])]
@@ -82,7 +72,7 @@ pub struct EvaluateOptions {
     #[command(flatten)]
     synonyms: SynonymOptions,
     /// Ask each command in N random layouts of its home; N is 1 to 100
-    #[arg(long, value_name = "N", value_parser = between(1_usize, 100), allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", value_parser = between(1_usize, 100))]
     novel_environments: Option<usize>,
     /// The language model
     #[arg(long, value_enum, value_name = "NAME", default_value_t)]
@@ -93,7 +83,7 @@ pub struct EvaluateOptions {
     #[arg(long, conflicts_with_all = ["learner", "plot", "curve"])]
     ablation: bool,
     /// Seed of the parts, layouts and curves [default: 1]
-    #[arg(long, short = 's', value_name = "S", value_parser = goodbot_console::numbers::seed, allow_negative_numbers = true)]
+    #[arg(long, short = 's', value_name = "S", value_parser = goodbot_console::typed::seed)]
     seed: Option<u64>,
     /// Write a reliability diagram: how often answers are right, against how sure they are; - is standard output
     #[arg(long, value_name = "FILE.svg", value_hint = ValueHint::FilePath)]
@@ -102,14 +92,14 @@ pub struct EvaluateOptions {
     #[arg(long, value_name = "FILE.svg", value_hint = ValueHint::FilePath, conflicts_with = "test")]
     curve: Option<PathBuf>,
     /// Orders of the sessions that a learning curve is averaged over, 1 to 1000 [default: 10]
-    #[arg(long, short = 'n', value_name = "N", requires = "curve", value_parser = between(1_usize, 1_000), allow_negative_numbers = true)]
+    #[arg(long, short = 'n', value_name = "N", requires = "curve", value_parser = between(1_usize, 1_000))]
     runs: Option<usize>,
     /// Replace files that goodbot did not write
     #[arg(long)]
     force: bool,
     /// Ask sessions without "intended", too, where the steps alone make a task more probable than P, and count it as meant; P is 0.5 to
     /// less than 1
-    #[arg(long, value_name = "P", value_parser = goodbot_console::numbers::clear, allow_negative_numbers = true, conflicts_with_all = ["novel_environments", "ablation", "curve"])]
+    #[arg(long, value_name = "P", value_parser = goodbot_console::typed::clear, conflicts_with_all = ["novel_environments", "ablation", "curve"])]
     clear: Option<f32>,
     #[command(flatten)]
     limit: Limit,
@@ -349,7 +339,7 @@ impl Sessions {
         // Commands in other layouts are no copies.
         let copies = match options.novel_environments {
             Some(_) => vec![None; self.asked().len()],
-            None => copies::find(&self.taught.lessons, self.asked(), &rounds, self.asked.is_none()),
+            None => split::find(&self.taught.lessons, self.asked(), &rounds, self.asked.is_none()),
         };
         let experiment = Experiment {
             taught: &self.taught.lessons,

@@ -2,9 +2,8 @@
 
 use goodbot::Options;
 use goodbot::task::LiftedTask;
-use goodbot_console::outcome::Failure;
-use goodbot_console::training_data::Lesson;
 use goodbot_console::training_data::evidence::Witness;
+use goodbot_console::{Failure, Lesson};
 use goodbot_formats::environment::{EnvironmentFile, ObjectRecord};
 use goodbot_formats::session::{Kind, RecordedSession, SessionHeader};
 use rand_core::Rng;

@@ -2,9 +2,8 @@
 
 use super::curve::Point;
 use super::folds::Answer;
-use crate::calibration::{self, RANGES, Range};
-use crate::mean::wilson;
-use goodbot_console::messages::counted;
+use crate::calibration::{self, RANGES, Range, wilson};
+use goodbot_console::counted;
 use goodbot_lesson::fault::quoted;
 use serde_json::{Value, json};
 use std::collections::BTreeMap;

@@ -1,14 +1,10 @@
 //! `goodbot fit-trainers`: fits the trainers that a robot should expect to real feedback.
 //!
 //! - [`recorded`]: recorded sessions as actions that were right or wrong for each task;
-//! - [`fit`]: the population of trainer strategies that makes the feedback most probable;
-//! - [`ends`]: the probability that trainers end a session;
-//! - [`exact`]: the share of trainers who judge every step rightly;
-//! - [`believing`]: the rightness of a robot with such an expectation.
+//! - [`fit`]: the population of trainer strategies that makes the feedback most probable, and the probability that they end a session;
+//! - [`believing`]: the rightness of a robot with such an expectation, and the share of trainers who judge every step rightly.
 
 pub mod believing;
-mod ends;
-mod exact;
 pub mod fit;
 
 use crate::recorded::{self, Walk};
@@ -17,11 +13,7 @@ use clap::{Args, ValueHint};
 use fit::{FeedbackCounts, Fit, Shape};
 use goodbot::feedback::population::DRIFT;
 use goodbot::feedback::{Ending, Hazard, Strategy};
-use goodbot_console::load::input::InputFile;
-use goodbot_console::load::kinds::TaskKinds;
-use goodbot_console::messages::{bar, counted};
-use goodbot_console::outcome::Failure;
-use goodbot_console::output;
+use goodbot_console::{Failure, InputFile, TaskKinds, bar, counted, output};
 use rayon::prelude::*;
 use serde_json::{Value, json};
 use std::io::Write;
@@ -131,10 +123,10 @@ pub fn run(options: &FitOptions) -> Result<(), Failure> {
 
 /// The expectation about trainers that a robot would learn from these sessions.
 fn expectation(walks: &[&Walk], strategies: Vec<(Strategy, f32)>, settings: Settings) -> Expectation {
-    let ending = if settings.end { ends::fit(walks.iter().copied()) } else { Ending::NO_EVIDENCE };
+    let ending = if settings.end { fit::fit(walks.iter().copied()) } else { Ending::NO_EVIDENCE };
     let mut expected = Expectation { strategies, drift: DRIFT, ending };
     if settings.exact {
-        expected.strategies = exact::added(&expected, walks);
+        expected.strategies = believing::added(&expected, walks);
     }
     expected
 }

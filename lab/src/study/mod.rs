@@ -2,25 +2,17 @@
 //!
 //! The simulation:
 //!
-//! - [`course`]: the lessons and tests;
+//! - [`course`]: the lessons and tests, each a command in a home: its tasks, their facts, and the right actions in each state;
 //! - [`trainer`]: the trainers: their feedback to right and wrong actions, its delay, and when they leave;
-//! - [`place`]: a command in a home: its tasks, their facts, and the right actions in each state;
 //! - [`agent`]: the agents: each inference with each language, and goodbot as it is used;
-//! - [`fault`]: why a run could not continue;
 //! - [`trial`]: one agent with one trainer: lessons, then tests;
 //! - [`tuning`]: how the settings of the other methods were chosen.
 //!
 //! The command:
 //!
-//! - [`plan`]: the courses, trainers, agents and seeds to compare;
-//! - [`shard`]: a part of it, for one of several machines;
-//! - `runs`: the runs;
-//! - [`record`]: runs as lines, and parts joined;
-//! - [`summary`]: means with intervals;
-//! - [`table`], [`picture`]: results as tables and pictures;
-//! - [`real`]: real trainers, from session logs;
-//! - [`likeness`]: how similar simulated trainers are to them;
-//! - [`tune`]: tries the settings of the other methods;
+//! - [`plan`]: the courses, trainers, agents and seeds to compare, and the runs;
+//! - [`summary`]: means with intervals, as tables, lines and a picture;
+//! - [`likeness`]: real trainers, and how similar simulated ones are to them;
 //! - [`report`]: all of it as a page with pictures.
 //!
 //! ```
@@ -32,26 +24,17 @@
 //! let habits = trainer.habits(&Population::fitted(), seed);
 //! let outcome = run(&agent.learns, habits, &mut CoursePlaces::new(Course::Paper, seed)?, seed)?;
 //! assert_eq!(outcome.tests_right(), 5);
-//! # Ok::<(), goodbot_lab::study::fault::StudyError>(())
+//! # Ok::<(), goodbot_lab::study::trial::StudyError>(())
 //! ```
 
 pub mod agent;
 pub mod course;
-pub mod fault;
 mod likeness;
-mod picture;
-pub mod place;
 mod plan;
-mod real;
-mod record;
 mod report;
-mod runs;
-mod shard;
 mod summary;
-mod table;
 pub mod trainer;
 pub mod trial;
-mod tune;
 pub mod tuning;
 
 use crate::study::agent::language::program;
@@ -61,14 +44,8 @@ use crate::study::trainer::population::Population;
 use crate::study::trainer::{TRAINERS, Trainer};
 use clap::builder::{PossibleValue, PossibleValuesParser};
 use clap::{Args, ValueHint};
-use goodbot_console::load::input::InputFile;
-use goodbot_console::messages::{counted, say};
-use goodbot_console::numbers::between;
-use goodbot_console::outcome::Failure;
-use goodbot_console::output;
-use plan::Plan;
-use runs::Run;
-use shard::Shard;
+use goodbot_console::{Failure, InputFile, between, output};
+use plan::{Plan, Run};
 use std::io::Write;
 use std::path::PathBuf;
 
@@ -93,8 +70,6 @@ course, trainer and agent:
 Examples:
   goodbot study --runs 20
   goodbot study --courses told --agents this+roles,tamer+roles --trainers balanced,mute
-  goodbot study --shard 1/2 --json > one.jsonl      on one machine, and 2/2 on another
-  goodbot study --merge one.jsonl two.jsonl --json  the same lines as from one machine
   goodbot study --runs 100 --report study.md        all of it as a page with a picture
   goodbot study --program ./mine --program-runs 30  a program of yours as a language, with fewer seeds
   goodbot study --fit log.jsonl                     what the trainers of a log do, and whether simulated ones are like them";
@@ -104,40 +79,34 @@ Examples:
 #[command(after_help = EXAMPLES)]
 pub struct StudyOptions {
     /// Only these courses, separated by commas [default: all]
-    #[arg(long, value_name = "NAMES", value_delimiter = ',', value_parser = courses(), conflicts_with_all = ["merge", "tune"])]
+    #[arg(long, value_name = "NAMES", value_delimiter = ',', value_parser = courses(), conflicts_with = "tune")]
     pub courses: Vec<String>,
     /// Only these agents, separated by commas [default: each inference with each language]
-    #[arg(long, value_name = "NAMES", value_delimiter = ',', value_parser = agents(), conflicts_with = "merge")]
+    #[arg(long, value_name = "NAMES", value_delimiter = ',', value_parser = agents())]
     pub agents: Vec<String>,
     /// The command of a program that is the language of the agents NAME+program; its arguments have no spaces
-    #[arg(long, value_name = "COMMAND", conflicts_with = "merge")]
+    #[arg(long, value_name = "COMMAND")]
     pub program: Option<String>,
     /// The most seconds for an answer of the program, 1 to 86400; the first answer includes its start
-    #[arg(long, value_name = "N", default_value = "300", value_parser = between(1_u32, 86_400), allow_negative_numbers = true, requires = "program")]
+    #[arg(long, value_name = "N", default_value = "300", value_parser = between(1_u32, 86_400), requires = "program")]
     pub program_seconds: u32,
     /// How many seeds for the agents NAME+program, the first of --runs [default: all]
-    #[arg(long, value_name = "N", value_parser = between(1_u32, 100_000), allow_negative_numbers = true, requires = "program")]
+    #[arg(long, value_name = "N", value_parser = between(1_u32, 100_000), requires = "program")]
     pub program_runs: Option<u32>,
     /// Only these trainers, separated by commas [default: all]
-    #[arg(long, value_name = "NAMES", value_delimiter = ',', value_parser = trainers(), conflicts_with_all = ["merge", "tune"])]
+    #[arg(long, value_name = "NAMES", value_delimiter = ',', value_parser = trainers(), conflicts_with = "tune")]
     pub trainers: Vec<String>,
     /// How many seeds, 1 to 100000, counted up from --seed
-    #[arg(long, short = 'n', value_name = "N", default_value = "100", value_parser = between(1_u32, 100_000), allow_negative_numbers = true, conflicts_with_all = ["merge"])]
+    #[arg(long, short = 'n', value_name = "N", default_value = "100", value_parser = between(1_u32, 100_000))]
     pub runs: u32,
     /// The first seed: the same seed gives the same run everywhere
-    #[arg(long, short = 's', value_name = "S", default_value = "1", value_parser = goodbot_console::numbers::seed, allow_negative_numbers = true, conflicts_with_all = ["merge"])]
+    #[arg(long, short = 's', value_name = "S", default_value = "1", value_parser = goodbot_console::typed::seed)]
     pub seed: u64,
-    /// Run one part only, such as 1/4 for the first of four; needs --json, whose lines --merge joins
-    #[arg(long, value_name = "PART/OF", requires = "json", allow_hyphen_values = true, conflicts_with_all = ["merge", "fit"])]
-    pub shard: Option<Shard>,
-    /// Join the parts of a study, or read a whole one, instead of running it
-    #[arg(long, value_name = "FILE", num_args = 1.., value_hint = ValueHint::FilePath)]
-    pub merge: Vec<InputFile>,
     /// Fit trainers to session logs, and compare simulated trainers with them; with --report, for the page
     #[arg(long, value_name = "LOG", num_args = 1.., value_hint = ValueHint::FilePath, conflicts_with_all = ["csv"])]
     pub fit: Vec<InputFile>,
     /// Try all settings of the other inferences and of the log-linear language, and tell which are best; on seeds of their own
-    #[arg(long, conflicts_with_all = ["merge", "fit", "csv", "json", "report", "agents"])]
+    #[arg(long, conflicts_with_all = ["fit", "csv", "json", "report", "agents"])]
     pub tune: bool,
     /// Write all of it as a page, with a picture beside it
     #[arg(long, value_name = "FILE.md", value_hint = ValueHint::FilePath, conflicts_with_all = ["json", "csv"])]
@@ -190,39 +159,29 @@ impl StudyOptions {
             seed: self.seed,
             runs: self.runs,
             program_runs: self.program_runs.unwrap_or(self.runs).min(self.runs),
-            shard: self.shard.unwrap_or(Shard::WHOLE),
         }
     }
 
-    /// The runs, either new or from files.
+    /// The plan and its runs.
     fn runs(&self) -> Result<(Plan, Vec<Run>), Failure> {
-        if self.merge.is_empty() {
-            let plan = self.plan();
-            if plan.taught().is_empty() {
-                let known = COMPARED.join(", ");
-                return Err(Failure::Input(format!("only {known} teach the courses free and told; name one of them, or the course paper")));
-            }
-            if let Some(agent) = plan.agents.iter().find(|agent| agent.program().is_some_and(|command| command.trim().is_empty())) {
-                let name = agent.name;
-                return Err(Failure::Input(format!("the language of {name} is a program of yours; give its command by --program")));
-            }
-            if self.program.is_some() && plan.agents.iter().all(|agent| agent.program().is_none()) {
-                return Err(Failure::Input("no agent asks the program; name one, such as sabl+program".to_owned()));
-            }
-            let runs = runs::run_all(&plan)?;
-            Ok((plan, runs))
-        } else {
-            record::read(&self.merge)
+        let plan = self.plan();
+        if plan.taught().is_empty() {
+            let known = COMPARED.join(", ");
+            return Err(Failure::Input(format!("only {known} teach the courses free and told; name one of them, or the course paper")));
         }
-    }
-
-    /// The files that are read.
-    fn inputs(&self) -> impl Iterator<Item = &InputFile> {
-        self.merge.iter().chain(&self.fit)
+        if let Some(agent) = plan.agents.iter().find(|agent| agent.program().is_some_and(|command| command.trim().is_empty())) {
+            let name = agent.name;
+            return Err(Failure::Input(format!("the language of {name} is a program of yours; give its command by --program")));
+        }
+        if self.program.is_some() && plan.agents.iter().all(|agent| agent.program().is_none()) {
+            return Err(Failure::Input("no agent asks the program; name one, such as sabl+program".to_owned()));
+        }
+        let runs = plan::run_all(&plan)?;
+        Ok((plan, runs))
     }
 }
 
-/// Runs the study, joins its parts, or fits trainers, and shows the results.
+/// Runs the study or fits trainers, and shows the results.
 ///
 /// # Errors
 /// [`Failure`].
@@ -236,31 +195,28 @@ pub fn run(options: &StudyOptions) -> Result<(), Failure> {
         return Ok(out.flush()?);
     }
     if options.tune {
-        tune::show(&mut out)?;
+        tuning::show(&mut out)?;
         return Ok(out.flush()?);
     }
     let (plan, runs) = options.runs()?;
-    let rows = if plan.shard == Shard::WHOLE { summary::rows(&plan, &runs) } else { Vec::new() };
+    let rows = summary::rows(&plan, &runs);
     if options.json {
         lines(&mut out, &plan, &runs)?;
         for row in &rows {
             writeln!(out, "{}", row.to_json())?;
         }
-        if plan.shard != Shard::WHOLE {
-            say!("part {}: {}; join the parts with --merge", plan.shard, counted(runs.len(), "run"));
-        }
     } else if options.csv {
-        table::csv(&mut out, &plan, &rows)?;
+        summary::csv(&mut out, &plan, &rows)?;
     } else {
-        table::print(&mut out, &plan, &rows)?;
+        summary::print(&mut out, &plan, &rows)?;
     }
     Ok(out.flush()?)
 }
 
 fn lines(out: &mut impl Write, plan: &Plan, runs: &[Run]) -> Result<(), Failure> {
-    writeln!(out, "{}", record::plan_to_json(plan))?;
+    writeln!(out, "{}", summary::plan_to_json(plan))?;
     for run in runs {
-        writeln!(out, "{}", record::run_to_json(plan, run))?;
+        writeln!(out, "{}", summary::run_to_json(plan, run))?;
     }
     Ok(())
 }

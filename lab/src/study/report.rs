@@ -1,18 +1,15 @@
 //! A study as a page of Markdown, with a picture beside it.
 
-use super::plan::Plan;
-use super::runs::Run;
+use super::plan::{Plan, Run};
 use super::summary::{self, Column, Row};
-use super::{StudyOptions, likeness, picture};
-use crate::mean::Mean;
+use super::{StudyOptions, likeness};
+use crate::calibration::Mean;
 use crate::study::agent::language::Language;
 use crate::study::agent::{Contestant, Learns};
 use crate::study::course::{COMPARED, Course};
 use crate::study::trial::{CERTAIN, MOST_STEPS, TEST_STEPS};
 use crate::study::tuning::{SEEDS, TRAINED_BY, TUNED};
-use goodbot_console::messages::say;
-use goodbot_console::outcome::Failure;
-use goodbot_console::output::{Kind, Output};
+use goodbot_console::{Failure, Kind, Output, say};
 use std::path::Path;
 
 /// The agents in the tables of the other trainers. Without an inference, what trainers say makes no difference.
@@ -22,22 +19,22 @@ const SHOWN: [Column; 3] = [Column::Tests, Column::Steps, Column::WronglyCertain
 /// The trainers in the picture.
 const DRAWN: [&str; 2] = ["balanced", "mute"];
 
-/// Runs the study, or reads its parts, and writes the page and its picture.
+/// Runs the study, and writes the page and its picture.
 ///
 /// # Errors
 /// [`Failure`].
 pub fn write(page: &Path, options: &StudyOptions) -> Result<(), Failure> {
-    let text = Output::new(Kind::Page, page, options.inputs(), options.force)?;
+    let text = Output::new(Kind::Page, page, &options.fit, options.force)?;
     if text.is_standard() {
         return Err(Failure::Input("the picture goes beside the page; name a file for it".to_owned()));
     }
     let beside = page.with_extension("svg");
-    let target = Output::new(Kind::Picture, &beside, options.inputs(), options.force)?;
+    let target = Output::new(Kind::Picture, &beside, &options.fit, options.force)?;
     let checks = if options.fit.is_empty() { None } else { Some(likeness::markdown(options)?) };
     let (plan, runs) = options.runs()?;
     let rows = summary::rows(&plan, &runs);
     let drawn: Vec<Row> = rows.iter().filter(|row| DRAWN.contains(&row.trainer)).cloned().collect();
-    target.draw(picture::of(&plan, &drawn))?;
+    target.draw(summary::picture(&plan, &drawn))?;
     let picture = beside.file_name().unwrap_or_default().to_string_lossy().into_owned();
     text.write(markdown(&plan, &runs, &rows, &picture, checks.as_deref()).as_bytes())?;
     say!("page: {}", text.name());

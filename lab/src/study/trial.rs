@@ -3,12 +3,10 @@
 //! Chance comes from four generators of the seed: for the homes, the trainer's person, the trainer's feedback, and the agent. So all agents
 //! meet the same homes and the same people.
 
-use crate::questions::simulation::answer;
-use crate::study::agent::{Learner, Learns, Now};
-use crate::study::course::Course;
-use crate::study::fault::StudyError;
-use crate::study::place::Place;
-use crate::study::trainer::habits::{Habits, Listening};
+use super::agent::{Learner, Learns, Now};
+use super::course::{Course, Place};
+use super::trainer::{Habits, Listening};
+use crate::questions::answer;
 use goodbot::AgentError;
 use goodbot::feedback::Feedback;
 use goodbot::home::HomeState;
@@ -16,6 +14,7 @@ use goodbot::oomdp::{Action, ActionSet, apply};
 use goodbot::planning::OptimalSet;
 use goodbot_course::generator;
 use rand_pcg::Pcg32;
+use std::fmt;
 
 /// The lesson ends after this many rests in a row at the intended goal.
 pub const RESTS: u8 = 3;
@@ -224,4 +223,20 @@ fn test(learner: &mut dyn Learner, place: &mut Place) -> Result<TestOutcome, Stu
         steps += 1;
     }
     Ok(TestOutcome { right: rests == RESTS, wrongly_certain })
+}
+
+/// Why a run could not continue: an agent, a home or a language program failed.
+#[derive(Debug)]
+pub struct StudyError(pub String);
+
+impl<E: std::error::Error> From<E> for StudyError {
+    fn from(error: E) -> Self {
+        Self(error.to_string())
+    }
+}
+
+impl fmt::Display for StudyError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0)
+    }
 }

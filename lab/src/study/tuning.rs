@@ -3,13 +3,14 @@
 //! Each setting of a grid goes through the paper's course with four trainers on [`SEEDS`]. The setting with the highest of the [`scores`]
 //! is chosen: the share of right tests, minus the share of the allowed steps that a lesson takes.
 
-use crate::study::agent::Learns;
-use crate::study::course::Course;
-use crate::study::fault::StudyError;
-use crate::study::trainer::TRAINERS;
-use crate::study::trainer::population::Population;
-use crate::study::trial::{CoursePlaces, MOST_STEPS, run};
+use super::agent::{AGENTS, Learns};
+use super::course::Course;
+use super::trainer::TRAINERS;
+use super::trainer::population::Population;
+use super::trial::{CoursePlaces, MOST_STEPS, StudyError, run};
+use goodbot_console::Failure;
 use rayon::prelude::*;
+use std::io::Write;
 use std::ops::Range;
 
 /// The seeds, far from those that are reported.
@@ -41,4 +42,32 @@ pub fn scores(grid: &[Learns]) -> Result<Vec<f64>, StudyError> {
     let seeds = SEEDS.into_par_iter().map(of_seed).collect::<Result<Vec<_>, _>>()?;
     let count = (seeds.len() * TRAINED_BY.len()) as f64;
     Ok((0..grid.len()).map(|at| seeds.iter().map(|scores| scores[at]).sum::<f64>() / count).collect())
+}
+
+/// How many settings are printed for each agent.
+const TOLD: usize = 3;
+
+/// Tries the settings and prints the best.
+///
+/// # Errors
+/// [`Failure::Result`] if a run failed.
+pub fn show(out: &mut impl Write) -> Result<(), Failure> {
+    let (last, trainers) = (SEEDS.end - 1, TRAINED_BY.join(", "));
+    writeln!(
+        out,
+        "Score: share of tests right, less steps a lesson / {MOST_STEPS}; seeds {} to {last}, trainers {trainers}.",
+        SEEDS.start
+    )?;
+    for agent in AGENTS.iter().filter(|agent| TUNED.contains(&agent.name)) {
+        let grid = agent.learns.grid();
+        let scores = scores(&grid).map_err(|error| Failure::Result(format!("{}: {error}", agent.name)))?;
+        let mut scored: Vec<_> = grid.into_iter().zip(scores).collect();
+        // The first of equals in the grid comes first.
+        scored.sort_by(|a, b| b.1.total_cmp(&a.1));
+        writeln!(out, "\n{}: the best of {}", agent.name, scored.len())?;
+        for (learns, score) in scored.iter().take(TOLD) {
+            writeln!(out, "  {score:>7.4}  {learns}{}", if *learns == agent.learns { "  (taken)" } else { "" })?;
+        }
+    }
+    Ok(())
 }

@@ -1,27 +1,25 @@
 //! `goodbot ways`: commands with ways, learned from reward and punishment alone.
 //!
-//! - [`exercise`]: homes of three storeys, and commands in them;
-//! - [`simulation`]: one robot's lessons and tests;
-//! - [`picture`]: the results of all robots, as a picture.
+//! - [`exercise`]: homes of three storeys, and commands in them.
 
 mod exercise;
-mod picture;
-mod simulation;
 
-use crate::mean::Mean;
-use crate::mean::wilson;
+use crate::calibration::{Mean, wilson};
+use crate::canvas::{BLUE, GREEN, INK, chart, draw as canvas};
+use crate::questions::answer;
 use clap::{Args, ValueHint};
+use exercise::{Exercise, ThreeStoreys};
 use goodbot::asking::Asking;
+use goodbot::feedback::Strategy;
 use goodbot::home::{AGENT_IN_ROOM, SCHEMA, with_routes};
 use goodbot::task::LiftedTask;
-use goodbot::{Capacities, HeapMemory};
-use goodbot_console::messages::bar;
-use goodbot_console::numbers::between;
-use goodbot_console::outcome::Failure;
-use goodbot_console::output::{self, Output};
+use goodbot::{Agent, Capacities, HeapMemory, Options};
+use goodbot_console::{Failure, Output, bar, between, output};
+use goodbot_course::{CourseTrainer, Lesson, Turn, generator};
+use plotters::prelude::*;
 use rayon::prelude::*;
 use serde_json::json;
-use simulation::{Learned, Setting, simulate};
+use std::error::Error;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
@@ -38,22 +36,22 @@ Examples:
   goodbot ways --plot ways.svg")]
 pub struct WaysOptions {
     /// Number of robots, 1 to 100000; their seeds count up from --seed
-    #[arg(long, short = 'n', value_name = "N", default_value = "20", value_parser = between(1_u32, 100_000), allow_negative_numbers = true)]
+    #[arg(long, short = 'n', value_name = "N", default_value = "20", value_parser = between(1_u32, 100_000))]
     runs: u32,
     /// Seed of the first robot
-    #[arg(long, short = 's', value_name = "S", default_value = "1", value_parser = goodbot_console::numbers::seed, allow_negative_numbers = true)]
+    #[arg(long, short = 's', value_name = "S", default_value = "1", value_parser = goodbot_console::typed::seed)]
     seed: u64,
     /// Lessons of each robot, 1 to 500
-    #[arg(long, value_name = "N", default_value = "30", value_parser = between(1_usize, 500), allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", default_value = "30", value_parser = between(1_usize, 500))]
     lessons: usize,
     /// Test after every N lessons
-    #[arg(long, value_name = "N", default_value = "10", value_parser = between(1_usize, 500), allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", default_value = "10", value_parser = between(1_usize, 500))]
     every: usize,
     /// Commands of a test, 1 to 1000
-    #[arg(long, value_name = "N", default_value = "20", value_parser = between(1_usize, 1_000), allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", default_value = "20", value_parser = between(1_usize, 1_000))]
     tests: usize,
     /// The cost of a question, in steps, for the robot that asks
-    #[arg(long, value_name = "STEPS", default_value = "4", value_parser = goodbot_console::numbers::cost)]
+    #[arg(long, value_name = "STEPS", default_value = "4", value_parser = goodbot_console::typed::cost)]
     kappa: f32,
     /// Print a line of JSON for each test
     #[arg(long)]
@@ -97,7 +95,7 @@ pub fn run(options: &WaysOptions) -> Result<(), Failure> {
     let robots = [silent?, asking?];
     // The picture comes first, so that it is written even if the reader of the text stops early.
     if let Some(plot) = plot {
-        plot.draw(picture::draw(&robots, options))?;
+        plot.draw(draw(&robots, options))?;
     }
     if !options.json {
         writeln!(out, "questions  lessons  right of {} commands, 95 %      robots with 9 of 10 right", options.tests)?;
@@ -184,3 +182,108 @@ impl Robots {
         Ok(())
     }
 }
+
+/// One line for robots that never ask, and one for those that do. Vertical strokes are 95 % intervals over robots.
+fn draw(robots: &[Robots; 2], options: &WaysOptions) -> Result<String, Box<dyn Error>> {
+    canvas((720, 440), |area| {
+        let caption = format!("Commands that say how, understood by {} robots after lessons", options.runs);
+        let right = format!("% right of {} commands", options.tests);
+        let mut chart = chart(area, &caption, [("lessons", options.lessons.max(1) as f64), (&right, 100.0)])?;
+        for (robots, color, name) in [(&robots[0], BLUE, "never asks"), (&robots[1], GREEN, "asks")] {
+            let at =
+                |test: &Test, shift: f64| (test.lessons as f64, (100.0 * (test.share.mean + shift * test.share.half)).clamp(0.0, 100.0));
+            let line = LineSeries::new(robots.tests.iter().map(|test| at(test, 0.0)), color.stroke_width(2));
+            chart.draw_series(line)?.label(name).legend(move |(x, y)| PathElement::new([(x, y), (x + 18, y)], color.stroke_width(2)));
+            let intervals = robots.tests.iter().map(|test| PathElement::new([at(test, -1.0), at(test, 1.0)], color.stroke_width(1)));
+            chart.draw_series(intervals)?;
+            chart.draw_series(robots.tests.iter().map(|test| Circle::new(at(test, 0.0), 3, color.filled())))?;
+        }
+        chart.configure_series_labels().position(SeriesLabelPosition::UpperLeft).border_style(INK).background_style(WHITE).draw()?;
+        Ok(())
+    })
+}
+
+/// The settings of the simulation.
+#[derive(Clone, Debug)]
+pub struct Setting {
+    /// The kinds of tasks that commands may mean.
+    pub lifted: Vec<LiftedTask>,
+    /// When the robot asks.
+    pub asking: Asking,
+    /// The number of lessons.
+    pub lessons: usize,
+    /// The robot is tested before the first lesson, and after each this many lessons.
+    pub every: usize,
+    /// The number of commands in a test.
+    pub tests: usize,
+}
+
+/// The results of one robot.
+#[derive(Clone, Debug, Default)]
+pub struct Learned {
+    /// Commands understood in each test.
+    pub right: Vec<usize>,
+    /// Steps of all lessons.
+    pub steps: usize,
+    /// Words of reward and punishment in all lessons.
+    pub words: usize,
+    /// Questions in all lessons.
+    pub questions: usize,
+}
+
+/// Trains one robot, each lesson in a new home, with the paper's balanced trainer.
+///
+/// # Errors
+/// The robot's error.
+pub fn simulate(memory: &mut HeapMemory, setting: &Setting, seed: u64) -> Result<Learned, Failure> {
+    let mut random = generator(seed);
+    // Tests are drawn separately, so that they are the same with and without questions.
+    let mut drawn = generator(seed ^ TESTS);
+    let mut agent = Agent::new(&mut memory.agent, &setting.lifted, Options::DEFAULT)?;
+    agent.set_strategies(&[(Strategy::BALANCED, 1.0)])?;
+    let mut learned = Learned::default();
+    for lesson in 0..=setting.lessons {
+        if lesson % setting.every.max(1) == 0 || lesson == setting.lessons {
+            let mut right = 0;
+            for _ in 0..setting.tests {
+                let home = ThreeStoreys::random(&mut memory.home, &mut drawn).map_err(|error| Failure::Result(error.to_string()))?;
+                let exercise = Exercise::random(&home, &mut drawn);
+                agent.hear(&home.home, &home.start, &exercise.command)?;
+                let meant = exercise.find(&agent, &home);
+                right += usize::from(meant.is_some() && agent.most_likely() == meant);
+            }
+            learned.right.push(right);
+        }
+        if lesson == setting.lessons {
+            break;
+        }
+        let home = ThreeStoreys::random(&mut memory.home, &mut random).map_err(|error| Failure::Result(error.to_string()))?;
+        let exercise = Exercise::random(&home, &mut random);
+        agent.hear(&home.home, &home.start, &exercise.command)?;
+        let Some(meant) = exercise.find(&agent, &home) else {
+            return Err(Failure::Result(format!("no task of the home is what \"{}\" means", exercise.command)));
+        };
+        let mut under_way = Lesson::meaning(&home.start, meant);
+        let report = loop {
+            let state = *under_way.state();
+            agent.plan_fully(&home.home, &state)?;
+            while let Some(question) = agent.question(&home.home, &state, &setting.asking)? {
+                learned.questions += 1;
+                let _ = agent.answer(answer(&question, meant, setting.asking.eta, &mut random))?;
+            }
+            match under_way.act(&mut agent, &home.home, &CourseTrainer::BALANCED, &mut random) {
+                Ok(Turn::Acted(_)) => {}
+                Ok(Turn::Ended(ending)) => break under_way.report(ending),
+                Err(error) => return Err(Failure::Result(error.to_string())),
+            }
+        };
+        let _ = agent.finish(&home.home)?;
+        agent.learn_fully();
+        learned.steps += usize::from(report.steps);
+        learned.words += (report.feedback.reward + report.feedback.punish) as usize;
+    }
+    Ok(learned)
+}
+
+/// Separates the seed of the tests from that of the lessons.
+const TESTS: u64 = 0x7e57_7e57_7e57_7e57;

@@ -6,17 +6,16 @@
 //! Feedback counts at once; the last feedback to a step replaces earlier ones. To take a step back, the session is replayed up to there:
 //! the same steps and the same feedback give the same belief.
 
-mod asking;
-mod conversing;
 mod listening;
 mod voice;
+
+pub use voice::Voice;
 
 use crate::asking::Restraint;
 use crate::closed_words::CLOSED_WORDS;
 use crate::name::task_name;
 use crate::place::Place;
 use crate::replay::{Event, Replay, ReplayError, Rules, expect_ends};
-use crate::voice::Voice;
 use crate::walk::{SessionAnswer, Step, Walk};
 use goodbot::asking::Answer;
 use goodbot::feedback::{Feedback, Strategy};
@@ -25,8 +24,7 @@ use goodbot::memory::{AgentHeap, HomeHeap};
 use goodbot::oomdp::{Action, Domain, action_name, action_named};
 use goodbot::planning::{Judgement, OptimalSet, Progress};
 use goodbot::session::{Evidence, Finished};
-use goodbot::task::GroundedTask;
-use goodbot::task::TaskSet;
+use goodbot::task::{GroundedTask, TaskSet};
 use goodbot::{Agent, AgentError};
 use goodbot_formats::environment::EnvironmentFile;
 use goodbot_formats::quoted;
@@ -161,7 +159,7 @@ pub struct Lesson<D: Place = Home<HomeHeap>> {
     acted: Option<(Acted, Step<D::State>)>,
     restraint: Restraint,
     ahead: Option<listening::Ahead>,
-    conversations: conversing::Conversations,
+    conversations: listening::Conversations,
     /// The closed words.
     pub closed: goodbot::talk::ClosedWords<'static>,
     /// The words said along with the feedback buttons.
@@ -191,7 +189,7 @@ impl<D: Place> Lesson<D> {
             acted: None,
             restraint: Restraint::NEW,
             ahead: None,
-            conversations: conversing::Conversations::default(),
+            conversations: listening::Conversations::default(),
             closed: CLOSED_WORDS,
             voice: Voice::default(),
             declined: None,

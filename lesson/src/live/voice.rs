@@ -1,14 +1,15 @@
-//! Words during a session and between sessions, as [`goodbot::Agent::said`] reads them.
+//! Words and questions during a session, words between sessions, and words said along with the feedback buttons: as [`goodbot::Agent::said`] reads them.
 
 use super::{Lesson, LiveError};
 use crate::place::Place;
 use crate::walk::SessionAnswer;
 use goodbot::AgentError;
+use goodbot::asking::{Asking, Considered, Question};
 use goodbot::feedback::Feedback;
 use goodbot::language::for_each_piece;
 use goodbot::planning::OptimalSet;
 use goodbot::session::Evidence;
-use goodbot::talk::{Class, Classes, Said, Stage};
+use goodbot::talk::{Class, Classes, ClosedWords, Said, Stage, for_each_open_word};
 use goodbot::task::TaskSet;
 
 impl<D: Place> Lesson<D> {
@@ -89,7 +90,7 @@ impl<D: Place> Lesson<D> {
     /// Counts the words said along with a button.
     ///
     /// # Errors
-    /// The errors of [`Voice::learn`](crate::voice::Voice::learn).
+    /// The errors of [`Voice::learn`].
     pub fn learn_voice(&mut self, words: &str, feedback: Feedback) -> Result<(), LiveError> {
         Ok(self.voice.learn(words, feedback, self.closed)?)
     }
@@ -122,5 +123,64 @@ impl<D: Place> Lesson<D> {
         let _ = agent.corrected(home, words, closed, tasks)?;
         self.note_answer(SessionAnswer { tasks, yes: false, words: Some(words.to_owned()), ..SessionAnswer::of(eta) });
         Ok(())
+    }
+}
+
+impl<D: Place> Lesson<D> {
+    /// The question to ask here, if it teaches the robot more than its next steps do. The plan must be done.
+    ///
+    /// # Errors
+    /// [`LiveError::NoSession`], or the errors of [`Agent::question`](goodbot::Agent::question).
+    pub fn ask(&mut self, asking: &Asking) -> Result<Option<Question>, LiveError> {
+        loop {
+            match self.consider(asking, u32::MAX)? {
+                Considered::Working => {}
+                Considered::Act => return Ok(None),
+                Considered::Ask(question) => return Ok(Some(question)),
+            }
+        }
+    }
+
+    /// As [`ask`](Self::ask), but in parts: see [`Agent::consider`](goodbot::Agent::consider).
+    ///
+    /// # Errors
+    /// As [`ask`](Self::ask).
+    pub fn consider(&mut self, asking: &Asking, budget: u32) -> Result<Considered, LiveError> {
+        let listened = self.session().ok_or(LiveError::NoSession)?.0.listening.is_some();
+        let (agent, home, state) = (&mut self.agent, &self.walk.home, &self.state);
+        Ok(self.restraint.consider(agent, home, state, asking, listened, budget)?)
+    }
+}
+
+/// The words said along with the feedback buttons: how often each came with "good" and with "bad".
+#[derive(Clone, Debug, Default)]
+pub struct Voice {
+    said: Vec<(String, [u32; 2])>,
+}
+
+impl Voice {
+    /// Counts the words said along with a button. Silence teaches nothing, nor do words of closed classes.
+    ///
+    /// # Errors
+    /// A [`goodbot::capacity::CapacityError`] if there are too many words, or one is too long.
+    pub fn learn(&mut self, words: &str, feedback: Feedback, closed: ClosedWords<'_>) -> Result<(), AgentError> {
+        let side = match feedback {
+            Feedback::Reward => 0,
+            Feedback::Punish => 1,
+            Feedback::Neutral => return Ok(()),
+        };
+        for_each_open_word(words, closed, |word| {
+            let known = self.said.iter().position(|(known, _)| known == word).unwrap_or_else(|| {
+                self.said.push((word.to_owned(), [0; 2]));
+                self.said.len() - 1
+            });
+            let counts = &mut self.said[known].1;
+            counts[side] = counts[side].saturating_add(1);
+        })
+    }
+
+    /// How often a word came with "good" and with "bad"; `None` if it never did.
+    pub fn count(&self, word: &str) -> Option<[u32; 2]> {
+        self.said.iter().find(|(known, _)| known == word).map(|(_, counts)| *counts)
     }
 }

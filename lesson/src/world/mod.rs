@@ -11,19 +11,22 @@
 //! [`before`] too, if the description has room for all of them.
 //!
 //! A world with actions belongs to a robot: see [`robot`], which also words the faults of such a world. The role model reads its tasks as
-//! it reads those of a home, so words learned in one are understood in the other. [`checked`] walks through sessions in it.
+//! it reads those of a home, so words learned in one are understood in the other. [`check`] walks through sessions in it.
 
 pub mod before;
-pub mod checked;
 pub mod pddl;
 pub mod robot;
 
+use crate::checked::{CheckedSession, Checker, has_steps};
+use crate::fault::{Fault, quoted};
 use before::Step;
 use goodbot::capacity::{NAME_BYTES, TOKENS_PER_COMMAND};
-use goodbot::oomdp::PropositionId;
-use goodbot::task::{Marker, Role, RoleKind, VALUE_SORTS};
+use goodbot::oomdp::{Domain, PropositionId, action_named};
+use goodbot::task::{LiftedTask, Marker, Role, RoleKind, VALUE_SORTS};
+use goodbot_formats::session::StepRecord;
 use goodbot_formats::task_text::{GroundAtomText, GroundTaskText, LiftedTaskText};
-use goodbot_formats::world::{ObjectOfWorld, WorldFile};
+use goodbot_formats::world::{ObjectOfWorld, SessionInWorld, WorldFile};
+use robot::Robot;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
@@ -268,6 +271,52 @@ fn parts_of_name(name: &str) -> impl Iterator<Item = &str> {
         rest = after;
         Some(part)
     })
+}
+
+/// Checks a session and walks through it, with the robot of its world. `lifted` are the kinds of task that commands may mean there.
+///
+/// # Errors
+/// All faults of the session.
+pub fn check<'w>(
+    file: &str,
+    recorded: &SessionInWorld,
+    robot: Robot<'w>,
+    lifted: &[LiftedTask],
+) -> Result<CheckedSession<Robot<'w>>, Vec<Fault>> {
+    let mut checker = Checker::new(file, &recorded.session, ("world", "objects"));
+    checker.command();
+    match robot.state_of(&recorded.facts) {
+        Ok(start) => checker.session(robot, start, lifted, |robot, _, record| impossible(robot, record)),
+        Err(flaw) => {
+            checker.fault(flaw.field, flaw.message);
+            Err(checker.into_faults())
+        }
+    }
+}
+
+/// As [`check`], for a session that is replayed. A labelled session is refused, because it has no steps.
+///
+/// # Errors
+/// All faults of the session.
+pub fn check_steps<'w>(
+    file: &str,
+    recorded: &SessionInWorld,
+    robot: Robot<'w>,
+    lifted: &[LiftedTask],
+) -> Result<CheckedSession<Robot<'w>>, Vec<Fault>> {
+    has_steps(file, &recorded.session)?;
+    check(file, recorded, robot, lifted)
+}
+
+fn impossible(robot: &Robot<'_>, record: &StepRecord) -> String {
+    let action = quoted(&record.action);
+    if action_named(robot, &record.action).is_none() {
+        let known: Vec<&str> = robot.actions().iter().map(|kind| kind.name).collect();
+        return format!("{action} is no action of this world; it has {} and noop", known.join(", "));
+    }
+    format!(
+        "{action} cannot be done here: its conditions do not hold after the steps before it; correct the steps, or leave out the session"
+    )
 }
 
 #[cfg(test)]

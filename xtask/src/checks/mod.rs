@@ -1,22 +1,18 @@
 //! `cargo xtask test`: all checks, one after another; those for other machines and for Python run in parallel with those of this one.
 
 mod parallel;
-mod step;
-pub mod tally;
+pub mod step;
 mod work;
-
-use std::path::PathBuf;
-use std::time::Instant;
-
-use anyhow::{Result, ensure};
-use clap::{Args, ValueEnum};
 
 use crate::process::described;
 use crate::programs::Missing;
 use crate::{capi, footprint, guide};
+use anyhow::{Result, ensure};
+use clap::{Args, ValueEnum};
 use parallel::ParallelSteps;
-use step::{End, Outcome, Step};
-use tally::{Run, Tally};
+use std::path::PathBuf;
+use std::time::Instant;
+use step::{End, Outcome, Run, Step, Tally};
 
 impl Step {
     /// The function of the step, and the advice for its failure. An error is the step's failure, or a [`Missing`] if it cannot be run here.

@@ -1,16 +1,13 @@
 //! Steps that run in parallel with the others, those of each lane in a process of their own. The process's output is shown line by line; a
 //! file reports how its steps ended.
 
+use super::step::{End, Outcome, Step, Tally};
+use crate::process::{shell, target_dir};
+use anyhow::{Context, Result, anyhow, ensure};
 use std::io::{BufRead, BufReader};
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 use std::thread::JoinHandle;
-
-use anyhow::{Context, Result, anyhow, ensure};
-
-use super::step::{End, Outcome, Step};
-use super::tally::Tally;
-use crate::process::{shell, target_dir};
 
 pub struct ParallelSteps {
     child: Child,

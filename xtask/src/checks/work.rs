@@ -1,21 +1,18 @@
 //! The work of those steps that have no command of their own.
 
-use std::path::PathBuf;
-
-use anyhow::{Context, Result, bail, ensure};
-use serde_json::Value;
-use xshell::{Shell, cmd};
-
-use super::step::Step;
-use super::tally::Run;
-use crate::emulated_boards::Report;
+use super::step::{Run, Step};
 use crate::firmware::{
-    FLASH, Image, alone, bytes, check_esp32c3, deliver, for_cortex_m0, full, images, nothing_panics, obeying, run_alone, run_pico, trials,
+    FLASH, Image, Report, alone, bytes, check_esp32c3, deliver, for_cortex_m0, full, images, nothing_panics, obeying, run_alone, run_pico,
+    trials,
 };
 use crate::process::{shell, target_dir};
 use crate::programs::{CHROMIUM, FIREFOX, NODE, QEMU, built_by_cargo, npm_packages, on_path, python_with};
 use crate::toolchain::{self, WASM, WINDOWS};
 use crate::worst;
+use anyhow::{Context, Result, bail, ensure};
+use serde_json::Value;
+use std::path::PathBuf;
+use xshell::{Shell, cmd};
 
 /// The crates that are checked and tested together. The page's builder is excluded: its dependencies, which no other crate has, take
 /// minutes to build, and making the page tests it.

@@ -1,14 +1,12 @@
 //! The C library as Arduino, PlatformIO, ESP-IDF and Zephyr look for it: one folder, with an archive for each processor.
 
-use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
-
-use anyhow::Result;
-use xshell::Shell;
-
-use super::texts::Texts;
+use super::archive::Texts;
 use crate::capi::{FEATURES, headers_beside, library};
 use crate::toolchain::{CORTEX_M0, CORTEX_M3, CORTEX_M4, CORTEX_M4F, CORTEX_M33F, RISCV, RISCV_C3};
+use anyhow::Result;
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use xshell::Shell;
 
 const SOURCES: &str = "capi/packages/boards";
 

@@ -1,15 +1,12 @@
 //! The documents as web pages, by mdBook.
 
-use std::path::{Component, Path};
-
-use anyhow::Result;
-use xshell::{Shell, cmd};
-
-use super::archive::{files, pack};
+use super::archive::{Texts, files, pack};
 use super::npm;
-use super::texts::Texts;
 use crate::process::root;
 use crate::programs::{Missing, installed_by_cargo, npm_packages};
+use anyhow::Result;
+use std::path::{Component, Path};
+use xshell::{Shell, cmd};
 
 const DOCS: &str = "docs";
 /// The belief that a reader moves, in the page about how it works.

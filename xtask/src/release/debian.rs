@@ -1,11 +1,9 @@
 //! The command line for Debian and systems that take its packages.
 
-use std::path::Path;
-
+use super::archive::Texts;
 use anyhow::{Context, Result};
+use std::path::Path;
 use xshell::{Shell, cmd};
-
-use super::texts::Texts;
 
 /// Packs the folder of the command line, which was built for a machine, by `dpkg-deb`.
 pub fn make(sh: &Shell, texts: &Texts, folder: &Path, machine: &str, to: &Path) -> Result<()> {

@@ -1,17 +1,15 @@
 //! The module and the page for npm.
 
-use std::path::{Path, PathBuf};
-
-use anyhow::{Context, Result};
-use base64::Engine;
-use base64::engine::general_purpose::STANDARD;
-use xshell::{Shell, cmd};
-
-use super::texts::Texts;
-use crate::checks::tally::Run;
+use super::archive::Texts;
+use crate::checks::step::Run;
 use crate::process::{root, shell};
 use crate::programs::{NODE, NPM};
 use crate::toolchain::{WASM, artifacts};
+use anyhow::{Context, Result};
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
+use std::path::{Path, PathBuf};
+use xshell::{Shell, cmd};
 
 const SOURCES: &str = "wasm/npm";
 const TESTS: &str = "wasm/npm-tests";

@@ -1,17 +1,15 @@
 //! What is in `dist/release`, installed by its own tools into empty folders, and used there.
 
+use super::archive::{Texts, files};
+use super::{FOLDER, Package, archive, npm, this_machine};
+use crate::checks::step::Run;
+use crate::process::{described, root, shell, target_dir};
+use crate::programs::{CHROMIUM, GCC, GXX, NODE, VENV, npm_packages, on_path, python_with, python3};
+use anyhow::{Context, Result, ensure};
 use std::fs::File;
 use std::path::{Path, PathBuf};
-
-use anyhow::{Context, Result, ensure};
 use xshell::{Shell, cmd};
 use zip::ZipArchive;
-
-use super::archive::{self, files};
-use super::{FOLDER, Package, check, npm, this_machine};
-use crate::checks::tally::Run;
-use crate::process::{described, root, target_dir};
-use crate::programs::{CHROMIUM, NODE, VENV, npm_packages, on_path, python3};
 
 /// Tries the chosen kinds of package that have a tool to install them.
 pub fn run(sh: &Shell, from: &Path, packages: impl Iterator<Item = Package>) -> Result<()> {
@@ -21,10 +19,10 @@ pub fn run(sh: &Shell, from: &Path, packages: impl Iterator<Item = Package>) -> 
         let tried = match package {
             Package::Crates => library(sh, &the_one(sh, from, "goodbot-", ".crate")?),
             Package::Program => program(sh, from),
-            Package::C => check::try_out(&c_library(sh, from)?),
+            Package::C => try_out(&c_library(sh, from)?),
             Package::Boards => {
                 unpack(&the_one(sh, from, "goodbot-boards-", ".zip")?, above.path())?;
-                check::try_out_boards(&above.path().join("goodbot"), &c_library(sh, from)?)
+                try_out_boards(&above.path().join("goodbot"), &c_library(sh, from)?)
             }
             Package::Python => wheel(sh, &the_one(sh, from, "goodbot-", ".whl")?),
             Package::Npm => npm_packages().and_then(|()| npm::try_out(sh, &the_one(sh, from, "goodbot-", ".tgz")?, &mut Run::default())),
@@ -78,7 +76,6 @@ fn program(sh: &Shell, from: &Path) -> Result<()> {
     let share = if on_path("dpkg").is_some() {
         let package = the_one(sh, from, "goodbot_", ".deb")?;
         cmd!(sh, "dpkg --extract {package} installed").run()?;
-        asks_for_its_libraries(sh, &package, Path::new("installed/usr/bin/goodbot"))?;
         "installed/usr"
     } else {
         archive::unpack(&the_one(sh, from, "goodbot-", ".zip")?, &sh.current_dir().join("installed"))?;
@@ -93,20 +90,6 @@ fn program(sh: &Shell, from: &Path) -> Result<()> {
     cmd!(sh, "{program} learn sessions.jsonl --out words.goodbot").run()?;
     let said = cmd!(sh, "{program} ask --with words.goodbot --environment home.json go to the red room").read()?;
     ensure!(said.contains("agentInRoom"), "it does not understand what it was taught: {said}");
-    Ok(())
-}
-
-/// Each library that a program is linked to is in a package that Debian installs with this one.
-fn asks_for_its_libraries(sh: &Shell, package: &Path, program: &Path) -> Result<()> {
-    let asked = cmd!(sh, "dpkg-deb --field {package} Depends").read()?;
-    // There are none in a program for musl: `ldd` refuses it.
-    let linked = cmd!(sh, "ldd {program}").ignore_status().ignore_stderr().read()?;
-    for library in linked.lines().filter_map(|line| line.split_once(" => ")).map(|(name, _)| name.trim()) {
-        let owners = cmd!(sh, "dpkg-query --search */{library}").quiet().read()?;
-        let mut owners = owners.lines().filter_map(|line| line.split(':').next());
-        let is_asked = owners.any(|owner| asked.split(", ").any(|package| package.split(' ').next() == Some(owner)));
-        ensure!(is_asked, "the program is linked to {library}, and its package asks only for: {asked}");
-    }
     Ok(())
 }
 
@@ -164,4 +147,64 @@ fn guide(sh: &Shell, package: &Path) -> Result<()> {
 
 fn unpack(archive: &Path, to: &Path) -> Result<()> {
     Ok(ZipArchive::new(File::open(archive)?)?.extract(to)?)
+}
+
+const TESTS: &str = "capi/tests/packages";
+/// A lesson to the lift, and a question.
+const LESSON: &str = "up to the roof\n+\n+\n!\nup to the roof\n?\n+\n";
+/// Two lessons by one button; the lift is where the second one wants it.
+const TWO_LESSONS: &str = "up to the roof\nup to the roof\n";
+
+fn tools() -> Result<PathBuf> {
+    python_with(&format!("--requirement={TESTS}/requirements.txt"), "python-packages")
+}
+
+/// The library for this machine, in the folder where its package was unpacked.
+pub fn try_out(package: &Path) -> Result<()> {
+    let (sh, gcc, gxx, programs) = (shell()?, GCC.path()?, GXX.path()?, tools()?);
+    let (above, texts) = (sh.create_temp_dir()?, Texts::new(&sh)?);
+    let examples = package.join("examples");
+    let (project, built) = (sh.create_dir(above.path().join("project"))?, above.path().join("built"));
+    texts.copy(&sh, &Path::new(TESTS).join("CMakeLists.txt"), &project.join("CMakeLists.txt"))?;
+    let compilers = [format!("-DCMAKE_C_COMPILER={}", gcc.display()), format!("-DCMAKE_CXX_COMPILER={}", gxx.display())];
+    cmd!(sh, "{programs}/cmake -S {project} -B {built} -DCMAKE_PREFIX_PATH={package} -DEXAMPLES={examples} {compilers...}").run()?;
+    cmd!(sh, "{programs}/cmake --build {built}").run()?;
+    for program in ["in_c", "in_cpp", "in_both"] {
+        let program = built.join(program);
+        cmd!(sh, "{program}").run()?;
+    }
+
+    let found = cmd!(sh, "{programs}/pkgconf --cflags --libs goodbot").env("PKG_CONFIG_PATH", package.join("lib/pkgconfig")).read()?;
+    let (found, program) = (found.split_whitespace(), built.join("by_pkg_config"));
+    cmd!(sh, "{gcc} -std=c11 -Wall -Werror {examples}/lift.c -o {program}").args(found).run()?;
+    Ok(cmd!(sh, "{program}").run()?)
+}
+
+/// Builds an example of the package for boards with a stub of Arduino, and runs it. Returns what it says.
+fn run_sketch(name: &str, typed: &str, boards: &Path, library: &Path) -> Result<String> {
+    let (sh, gxx) = (shell()?, GXX.path()?);
+    let folder = sh.create_temp_dir()?;
+    let sketch = folder.path().join("sketch");
+    let warnings = ["-std=c++17", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-fsanitize=address,undefined"];
+    let compile = cmd!(sh, "{gxx} {warnings...} -I {TESTS} -I {boards}/src -include Arduino.h -x c++ {boards}/examples/{name}/{name}.ino");
+    compile.args(["-x", "none"]).arg(library).arg("-o").arg(&sketch).run()?;
+    let said = cmd!(sh, "{sketch}").stdin(typed).read()?;
+    println!("{said}");
+    Ok(said)
+}
+
+/// The package for boards, unpacked; its sketches run here, with the library for this machine.
+pub fn try_out_boards(boards: &Path, package: &Path) -> Result<()> {
+    let (sh, programs) = (shell()?, tools()?);
+    cmd!(sh, "{programs}/python {TESTS}/platformio.py {boards}").run()?;
+    let library = package.join("lib/libgoodbot.a");
+    let said = run_sketch("Lift", LESSON, boards, &library)?;
+    ensure!(
+        said.contains("learned") && said.lines().filter(|line| line.ends_with('%')).count() == 3,
+        "the lift did not learn by its serial line"
+    );
+    let said = run_sketch("OneButton", TWO_LESSONS, boards, &library)?;
+    let (_, second) = said.split_once("learned").unwrap_or_default();
+    ensure!(second.contains("learned") && !second.contains("down"), "the lift did not learn by its one button");
+    Ok(())
 }

@@ -1,7 +1,7 @@
 //! Replays one session with an agent without words: how far do the steps speak for each task?
 
-use super::lesson::{Lesson, MachineCommand, Reading, place, told_pairs};
-use crate::believes::Believes;
+use super::{Lesson, MachineCommand, Reading, place, told_pairs};
+use crate::typed::Believes;
 use goodbot::feedback::{Ending, Strategy};
 use goodbot::language::{LanguageRef, Model};
 use goodbot::memory::AgentHeap;
@@ -16,9 +16,10 @@ use goodbot_formats::task_text::GroundAtomText;
 use goodbot_formats::world::SessionInWorld;
 use goodbot_lesson::checked::{CheckedSession, check};
 use goodbot_lesson::fault::quoted;
-use goodbot_lesson::machine_command::description;
+use goodbot_lesson::name::description;
 use goodbot_lesson::replay::{Event, Replay, Rules};
-use goodbot_lesson::world::{self, robot::Robot};
+use goodbot_lesson::world;
+use goodbot_lesson::world::robot::Robot;
 use goodbot_lesson::{Fault, home};
 
 /// Turns sessions into training data.
@@ -51,7 +52,7 @@ impl Witness {
     /// # Errors
     /// The faults of the session.
     pub fn lesson_in(&mut self, file: &str, recorded: &SessionInWorld, robot: Robot<'_>) -> Result<Lesson, Vec<Fault>> {
-        let session = world::checked::check(file, recorded, robot, &self.lifted)?;
+        let session = world::check(file, recorded, robot, &self.lifted)?;
         self.seen_in(file, recorded, &session)
     }
 
@@ -66,7 +67,7 @@ impl Witness {
         robot: Robot<'_>,
         intended: &[GroundAtomText],
     ) -> Result<Option<Lesson>, Vec<Fault>> {
-        let mut session = world::checked::check(file, recorded, robot, &self.lifted)?;
+        let mut session = world::check(file, recorded, robot, &self.lifted)?;
         let sorted = |atoms: &[GroundAtomText]| {
             let mut atoms = atoms.to_vec();
             atoms.sort();

@@ -1,24 +1,22 @@
 //! A language model trained on many sessions at once, with questions to it.
 
-use super::lesson::{Lesson, MachineCommand};
-use crate::learner;
-use goodbot::AgentError;
-use goodbot::Capacities;
+use super::{Lesson, MachineCommand};
+use crate::typed;
 use goodbot::capacity::CapacityError;
-use goodbot::language::Model;
-use goodbot::language::{LanguageModel, LanguageRef, Settings};
+use goodbot::language::{LanguageModel, LanguageRef, Model, Settings};
 use goodbot::memory::{AgentHeap, AgentMemory};
 use goodbot::planning::Progress;
 use goodbot::probability::{Scaled, total};
 use goodbot::symbols::Symbol;
 use goodbot::task::{Marker, is_marker};
+use goodbot::{AgentError, Capacities};
 use goodbot_lesson::first_words::heard;
 use std::collections::{BTreeSet, HashMap};
 use std::sync::Arc;
 
 /// Memory for a language model of these lessons, without planning.
 pub fn memory(lessons: &[Lesson], settings: &Settings) -> AgentHeap {
-    learner::memory(&capacities(lessons, Capacities { states: 64, hashed_states: 0, ..Capacities::STANDARD }), settings, tasks(lessons))
+    typed::memory(&capacities(lessons, Capacities { states: 64, hashed_states: 0, ..Capacities::STANDARD }), settings, tasks(lessons))
 }
 
 /// The total number of possible tasks in these lessons.
@@ -270,7 +268,7 @@ fn weigh_parts(model: LanguageRef<'_>, descriptions: &[Vec<Symbol>], sentence: &
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::learner::Learner;
+    use crate::Learner;
     use crate::training_data::worlds;
     use goodbot_formats::world::{Line, WorldReader};
 

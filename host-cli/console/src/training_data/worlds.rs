@@ -1,8 +1,8 @@
 //! Commands and sessions in worlds from files, as training data.
 
 use super::evidence::Witness;
-use super::lesson::{Lesson, Reading, place, told_pairs};
-use crate::believes::Believes;
+use super::{Lesson, Reading, place, told_pairs};
+use crate::typed::Believes;
 use goodbot::Options;
 use goodbot::language::Model;
 use goodbot::task::Marker;

@@ -1,14 +1,17 @@
 //! Makes the robot's agent and its home, at the start and whenever they are replaced during a visit.
+//!
+//! A robot with a starter has the starter's sentences beside its own sessions: the more own sessions, the fewer sentences. They are in the
+//! agent's memory only; its saved model has its own sessions, as without a starter.
 
 use crate::teach::site::{Setting, Site, SiteState};
 use goodbot::feedback::population;
 use goodbot::home::{self, Moves};
 use goodbot::memory::AgentHeap;
+use goodbot::session::Finished;
+use goodbot::snapshot::Places;
 use goodbot::task::LiftedTask;
 use goodbot::{Agent, Capacities, Options};
-use goodbot_console::believes::Believes;
-use goodbot_console::learner::{self, Learner};
-use goodbot_console::outcome::Failure;
+use goodbot_console::{Believes, Failure, Learner, Starter, training, typed};
 use goodbot_lesson::home as homes;
 use goodbot_lesson::world::robot::{self, Tables, WorldFlaw};
 use std::sync::Arc;
@@ -34,7 +37,7 @@ pub fn new_mind(
     believes: Option<&Believes>,
 ) -> Result<Agent<AgentHeap>, Failure> {
     let options = Learner::Default.options();
-    let mut mind = Agent::new(learner::memory(capacities, &options.language, tasks), lifted, options)?;
+    let mut mind = Agent::new(typed::memory(capacities, &options.language, tasks), lifted, options)?;
     expect(&mut mind, believes)?;
     Ok(mind)
 }
@@ -64,4 +67,69 @@ pub fn build(file: &Setting) -> Result<(Site, SiteState), Failure> {
 
 fn flawed(flaw: WorldFlaw) -> Failure {
     Failure::Input(flaw.to_string())
+}
+
+/// The sentences, and their places in the agent's training data.
+#[derive(Debug, Default)]
+pub struct StarterSessions {
+    starter: Starter,
+    places: Places,
+    /// The agent without them, as the bytes of a model file.
+    own: Vec<u8>,
+}
+
+impl StarterSessions {
+    /// A starter that is in no agent yet.
+    pub fn new(starter: Starter) -> Self {
+        Self { starter, ..Self::default() }
+    }
+
+    fn is_on(&self) -> bool {
+        !self.starter.lessons().is_empty()
+    }
+
+    /// Capacities for the agent's own data and the sentences.
+    pub fn room(&self, own: Capacities) -> Capacities {
+        self.starter.room(own)
+    }
+
+    /// The total number of possible tasks of the sentences.
+    pub fn tasks(&self) -> usize {
+        training::tasks(self.starter.lessons())
+    }
+
+    /// The number of sentences in the agent's training data.
+    pub fn count(&self) -> usize {
+        self.places.count()
+    }
+
+    /// The agent without the sentences, as the bytes of a model file; `None` without a starter.
+    pub fn own(&self) -> Option<&[u8]> {
+        self.is_on().then_some(&self.own)
+    }
+
+    /// Adds the sentences to an agent that has only its own sessions.
+    pub fn join(&mut self, mind: &mut Agent<AgentHeap>) -> Result<(), Failure> {
+        if !self.is_on() {
+            return Ok(());
+        }
+        let own = mind.language().bitext().sessions();
+        self.own = mind.saved()?;
+        let joined = self.starter.join(mind, own)?;
+        self.places = Places::last(mind, joined);
+        Ok(())
+    }
+
+    /// Removes sentences after the agent has learned from a session of its own. Older sessions may have given way.
+    pub fn fade(&mut self, mind: &mut Agent<AgentHeap>, finished: &Finished) -> Result<(), Failure> {
+        if !self.is_on() {
+            return Ok(());
+        }
+        if !self.places.find_after(finished) {
+            *self = Self::default();
+            return Ok(());
+        }
+        self.places.leave(mind);
+        self.join(mind)
+    }
 }

@@ -6,20 +6,16 @@
 //! Feedback counts at once; the last feedback to a step replaces earlier ones. To take a step back, the session is replayed up to there:
 //! the same actions and the same feedback give the same belief.
 //!
-//! - [`asking`]: the robot's questions; [`starter_sessions`]: a robot with a starter; [`mind`]: the robot's agent and its home in memory;
-//!   [`thoughts`]: its beliefs and words.
+//! - [`mind`]: the robot's agent, with a starter, and its home in memory; [`thoughts`]: its beliefs, words and questions.
 
-mod asking;
 mod mind;
-mod starter_sessions;
 mod thoughts;
 
 pub use goodbot_lesson::live::Acted;
 pub use thoughts::{Idea, Meaning, WordSupport};
 
-use crate::teach::scene::{Scene, scene};
+use super::site::{Scene, Table, scene, table};
 use crate::teach::site::{Recorded, Setting, Site, SiteState, session, session_mut};
-use crate::teach::table::{Table, table};
 use goodbot::feedback::{Feedback, SimulatedTrainer, Strategy};
 use goodbot::language::Synonyms;
 use goodbot::memory::AgentHeap;
@@ -29,21 +25,17 @@ use goodbot::snapshot::Contents;
 use goodbot::talk::{Hypothesis, Listened, Said, Verdict};
 use goodbot::task::LiftedTask;
 use goodbot::{Agent, Capacities};
-use goodbot_console::believes::Believes;
 use goodbot_console::load::kinds::with_kinds;
-use goodbot_console::load::synonyms::said_in_known_words;
-use goodbot_console::messages::say;
-use goodbot_console::outcome::Failure;
-use goodbot_console::restored::{self, learn_fully, room_for, room_for_tasks};
-use goodbot_console::starter::Starter;
+use goodbot_console::load::words::said_in_known_words;
+use goodbot_console::restored::{learn_fully, room_for, room_for_tasks};
+use goodbot_console::{Believes, Failure, Starter, restored, say};
 use goodbot_course::exercise::Intention;
 use goodbot_course::generator;
 use goodbot_formats::environment::EnvironmentFile;
 use goodbot_lesson::first_words::{read, words_read};
 use goodbot_lesson::live::{Lesson, LiveError};
-use mind::{build, expect, kinds_of_task, new_mind};
+use mind::{StarterSessions, build, expect, kinds_of_task, new_mind};
 use rand_pcg::Pcg32;
-use starter_sessions::StarterSessions;
 use std::borrow::Cow;
 
 /// The effect of words to the robot.

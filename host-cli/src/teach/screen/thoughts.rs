@@ -1,10 +1,10 @@
 //! The robot's beliefs and words: the tasks as bars, the support of each word, and the words for each machine token.
 
 use super::super::palette::Palette;
-use super::super::plain_names::percent;
 use super::super::pupil::{Idea, Meaning};
 use super::super::visit::Visit;
 use super::framed;
+use crate::words::percent;
 use goodbot::feedback::Feedback;
 use goodbot::planning::Judgement;
 use ratatui::Frame;

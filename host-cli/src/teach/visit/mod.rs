@@ -1,25 +1,23 @@
 //! A visit on the screen: the effects of keys, and of time. This module knows neither a terminal nor a clock.
 
 mod talking;
-mod telling;
-mod time;
+pub mod time;
 
+use super::keys::Prompt;
+use super::lessons::Next;
 use crate::teach::classroom::{Classroom, Tested};
 use crate::teach::keys::{Focus, Intent};
 use crate::teach::lessons::{Stop, Tour, random_home};
-use crate::teach::next_lesson::Next;
-use crate::teach::pace::Pace;
-use crate::teach::plain_names::percent;
-use crate::teach::prompt::Prompt;
 use crate::teach::pupil::{Acted, Reaction, WordSupport};
+use crate::words::percent;
 use goodbot::asking::{Answer, Asking};
 use goodbot::capacity::WORDS_PER_COMMAND;
 use goodbot::feedback::Feedback;
 use goodbot::planning::Judgement;
 use goodbot::session::Evidence;
-use goodbot_console::messages::counted;
-use goodbot_console::outcome::Failure;
+use goodbot_console::{Failure, counted};
 use std::time::Duration;
+use time::Pace;
 
 /// The work between two checks of the keyboard.
 const PLAN_BUDGET: u32 = 20_000;
@@ -304,7 +302,7 @@ impl Visit {
         if heard != Reaction::Command {
             // The session before is over.
             self.phase = Phase::Idle;
-            self.message = telling::declined(&heard);
+            self.message = talking::declined(&heard);
             return Ok(());
         }
         self.prompt.said();

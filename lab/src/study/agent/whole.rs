@@ -1,9 +1,8 @@
 //! goodbot as it is used. It does not know its trainer: it expects the paper's balanced trainer, or real people.
 
 use super::{Learner, Now};
-use crate::study::course::CAPACITIES;
-use crate::study::fault::StudyError;
-use crate::study::place::Place;
+use crate::study::course::{CAPACITIES, Place};
+use crate::study::trial::StudyError;
 use goodbot::asking::{Answer, Asking, Question};
 use goodbot::feedback::{Feedback, population};
 use goodbot::home::paper_tasks;

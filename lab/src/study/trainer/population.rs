@@ -4,7 +4,7 @@
 //! action or one of the two before, with shares that are the same for all people. Both are fitted together by expectation maximisation. A
 //! person with little feedback has uncertain rates, so they are smoothed towards those of all. The weight is the most probable one.
 
-use super::habits::{Habits, LATEST};
+use super::{Habits, LATEST};
 use goodbot::feedback::Feedback;
 use goodbot::random::below;
 use goodbot_course::generator;
@@ -207,23 +207,12 @@ impl Population {
         let leaves = [leaves(|counts| counts.at_goal), leaves(|counts| counts.elsewhere)];
         Habits { right, wrong, late: self.late.map(|share| share as f32), leaves }
     }
-
-    /// A number that differs between fits.
-    pub fn digest(&self) -> u64 {
-        let counts = self
-            .people
-            .iter()
-            .flat_map(|person| person.right.into_iter().chain(person.wrong).chain(person.at_goal).chain(person.elsewhere));
-        let mixed = |digest: u64, number: f64| (digest.rotate_left(7) ^ number.to_bits()).wrapping_mul(0x9e37_79b9_7f4a_7c15);
-        // A whole number that every JSON reader keeps exactly.
-        self.late.into_iter().chain(counts).fold(0, mixed) >> 11
-    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::study::trainer::habits::Listening;
+    use crate::study::trainer::Listening;
 
     /// The lessons of a person with these habits.
     fn record(habits: Habits, seed: u64) -> Record {

@@ -1,7 +1,7 @@
 //! The names of a domain and a problem, checked, and the class of each type.
 
-use super::expression::{Fault, error};
 use super::reading::{Atom, Cost, Domain, OBJECT, Problem, Schema, Typed};
+use super::{Fault, error};
 use goodbot::capacity::ARGUMENTS;
 use std::collections::{BTreeMap, BTreeSet};
 

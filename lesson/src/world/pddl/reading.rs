@@ -1,6 +1,6 @@
 //! Reads domains and problems from their lists.
 
-use super::expression::{Expression, Fault, error};
+use super::{Expression, Fault, error};
 use std::collections::BTreeSet;
 use std::fmt;
 

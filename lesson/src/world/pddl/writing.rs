@@ -5,11 +5,10 @@
 //! - An action in which one object may serve as two parameters is two actions: in a world, different variables have different objects.
 //! - Each predicate of the goal becomes a kind of task, and so does the whole goal.
 
-use super::expression::{Fault, error};
 use super::names::Named;
 use super::reading::{Atom, Cost, Schema};
 use super::sweep::{Kind, Swept, Ways};
-use super::{Converted, PddlError, Text};
+use super::{Converted, Fault, PddlError, Text, error};
 use crate::world::robot::MOST_TASKS_OF_A_ROBOT;
 use goodbot_formats::task_text::{GroundAtomText, LiftedTaskText, is_usable_name};
 use goodbot_formats::world::{ActionOfWorld, Literal, ObjectOfWorld, Term, WorldFile};

@@ -4,8 +4,8 @@
 //! reaches every task, not only the followed one.
 
 use super::{Infer, Now, Tasks, label};
-use crate::study::fault::StudyError;
-use crate::study::place::Place;
+use crate::study::course::Place;
+use crate::study::trial::StudyError;
 use goodbot::feedback::Feedback;
 use goodbot::oomdp::Action;
 use std::fmt;

@@ -12,9 +12,10 @@ pub mod model;
 pub mod shaping;
 pub mod tamer;
 
-use super::{Now, pick};
-use crate::study::fault::StudyError;
-use crate::study::place::{Outlook, Place};
+use super::Now;
+use crate::study::agent;
+use crate::study::course::{Outlook, Place};
+use crate::study::trial::StudyError;
 use goodbot::feedback::Feedback;
 use goodbot::oomdp::{Action, ActionSet};
 use goodbot::random::below;
@@ -135,7 +136,7 @@ impl Tasks {
 
     /// The probability of each task, by the logarithms.
     fn belief(&self) -> Vec<f32> {
-        pick::softmax(&self.logs)
+        agent::softmax(&self.logs)
     }
 
     /// Adds a number to each task's logarithm, multiplied by `times`.
@@ -155,9 +156,9 @@ impl Tasks {
     /// so that late feedback still judges the right kind of action.
     fn act(&mut self, now: &Now<'_>, scores: &[f32], best: bool) -> Action {
         let followed = if best || now.is_test {
-            pick::best(scores, self.followed, &mut self.random)
+            agent::best(scores, self.followed, &mut self.random)
         } else {
-            pick::draw(&pick::softmax(scores), &mut self.random)
+            agent::draw(&agent::softmax(scores), &mut self.random)
         };
         self.followed = Some(followed);
         let onward = now.outlook.optimal.get(followed).and_then(|set| set.onward()).unwrap_or(ActionSet::NOOP);

@@ -2,8 +2,8 @@
 
 use super::{Infer, Now, Tasks};
 use crate::study::agent::whole::ROOM;
-use crate::study::fault::StudyError;
-use crate::study::place::Place;
+use crate::study::course::Place;
+use crate::study::trial::StudyError;
 use goodbot::feedback::{Belief, BeliefCount, BeliefRef, Feedback, Judged, LAGS, Strategy, population};
 use goodbot::memory::{AgentHeap, AgentMemory};
 use goodbot::oomdp::Action;

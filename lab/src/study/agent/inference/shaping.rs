@@ -1,8 +1,8 @@
 //! Policy shaping, or Advise: feedback is a label that is right with a known probability. Counted labels give the probability of each task.
 
 use super::{Infer, Now, Tasks, label, signs};
-use crate::study::fault::StudyError;
-use crate::study::place::Place;
+use crate::study::course::Place;
+use crate::study::trial::StudyError;
 use goodbot::feedback::Feedback;
 use goodbot::oomdp::Action;
 use std::fmt;

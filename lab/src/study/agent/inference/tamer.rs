@@ -4,9 +4,9 @@
 //! the language's log probability.
 
 use super::{Infer, Now, Tasks, label, signs};
-use crate::study::agent::pick;
-use crate::study::fault::StudyError;
-use crate::study::place::Place;
+use crate::study::agent;
+use crate::study::course::Place;
+use crate::study::trial::StudyError;
 use goodbot::feedback::Feedback;
 use goodbot::oomdp::Action;
 use std::collections::VecDeque;
@@ -100,6 +100,6 @@ impl Infer for Tamer {
     }
 
     fn belief(&self) -> Vec<f32> {
-        pick::softmax(&self.scores())
+        agent::softmax(&self.scores())
     }
 }

@@ -2,9 +2,9 @@
 //! Commands share words and tasks share facts, so training on one command helps with others.
 
 use super::{Speak, wordless};
-use crate::study::agent::pick;
-use crate::study::fault::StudyError;
-use crate::study::place::Place;
+use crate::study::agent;
+use crate::study::course::Place;
+use crate::study::trial::StudyError;
 use std::collections::HashMap;
 use std::fmt;
 
@@ -87,7 +87,7 @@ impl LogLinear {
 /// The probabilities of the tasks.
 fn probabilities(weights: &[f32], lesson: &WeighedCommand) -> Vec<f32> {
     let score = |task: &Vec<usize>| task.iter().map(|&at| weights[at]).sum::<f32>() * lesson.value;
-    pick::softmax(&lesson.tasks.iter().zip(&lesson.logs).map(|(task, log)| log + score(task)).collect::<Vec<_>>())
+    agent::softmax(&lesson.tasks.iter().zip(&lesson.logs).map(|(task, log)| log + score(task)).collect::<Vec<_>>())
 }
 
 impl Speak for LogLinear {

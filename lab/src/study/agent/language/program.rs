@@ -5,18 +5,17 @@
 //! its runs.
 
 use super::{PROGRAM, Speak, wordless};
-use crate::study::agent::pick;
-use crate::study::fault::StudyError;
-use crate::study::place::Place;
-use goodbot_console::messages::counted;
+use crate::study::agent;
+use crate::study::course::Place;
+use crate::study::trial::StudyError;
+use goodbot_console::counted;
 use serde_json::{Value, json};
 use std::cell::RefCell;
-use std::fmt;
 use std::io::{BufRead, BufReader, Read, Write};
 use std::process::{Child, Command, Stdio};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
-use std::thread;
 use std::time::Duration;
+use std::{fmt, thread};
 
 /// The most bytes of an answer that are read, and the most letters of a wrong one that are shown.
 const LONGEST: u64 = 1 << 20;
@@ -158,7 +157,7 @@ impl Speak for Program {
             running.answer(place.facts.len())
         })?;
         let logs = wordless(place).into_iter().map(|share| libm::logf(share.max(f32::MIN_POSITIVE)));
-        Ok(pick::softmax(&logs.zip(likely).map(|(log, likely)| log + likely).collect::<Vec<_>>()))
+        Ok(agent::softmax(&logs.zip(likely).map(|(log, likely)| log + likely).collect::<Vec<_>>()))
     }
 
     fn learn(&mut self, place: &Place, posterior: &[f32]) -> Result<(), StudyError> {

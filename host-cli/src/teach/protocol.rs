@@ -1,22 +1,18 @@
 //! Teaching without a terminal: one request on each input line, one JSON object on each output line. docs/teach.md describes both.
 
-mod lines;
-
-use crate::teach::classroom::Classroom;
-use crate::teach::kept::Kept;
-use crate::teach::lessons::random_home;
-use crate::teach::next_lesson::Next;
-use crate::teach::pupil::{Meaning, Reaction};
-use crate::teach::table::Table;
+use super::classroom::Classroom;
+use super::kept::Kept;
+use super::lessons::{Next, random_home};
+use super::pupil::{Meaning, Reaction};
+use super::site::Table;
 use goodbot::asking::{Answer, Asking};
 use goodbot::feedback::Feedback;
 use goodbot::session::Evidence;
-use goodbot::talk::Class;
-use goodbot::talk::Said;
-use goodbot_console::outcome::Failure;
+use goodbot::talk::{Class, Said};
+use goodbot_console::Failure;
 use goodbot_formats::environment::{EnvironmentFile, ObjectRecord};
+use goodbot_formats::lines::Lines;
 use goodbot_lesson::asking::answer_of;
-use lines::Lines;
 use serde_json::{Map, Value, json};
 use std::io::{self, BufRead, Write};
 
@@ -95,21 +91,15 @@ pub fn speak(classroom: &mut Classroom, seed: u64, input: impl BufRead, mut outp
     let mut speaker = Speaker { classroom, seed };
     let mut spoken = Spoken::default();
     write(&mut output, &[speaker.ready()])?;
-    let mut lines = Lines::new(input);
-    while let Some(line) = lines.next()? {
-        let line = match line {
-            Ok(line) if line.trim().is_empty() => continue,
-            Ok(line) => line,
-            Err(message) => {
-                spoken.refused += 1;
-                write(&mut output, &[error(message, "send a shorter line of text in UTF-8"), done()])?;
-                continue;
-            }
+    for line in Lines::new(input) {
+        let request = line.text.trim();
+        let answered = match line.error {
+            Some(unread) => refused(&unread.problem, "send a shorter line of text in UTF-8"),
+            None if request.is_empty() => continue,
+            None if request == "quit" => break,
+            None => speaker.answer(request),
         };
-        if line.trim() == "quit" {
-            break;
-        }
-        let mut answers = speaker.answer(line.trim()).unwrap_or_else(|Misunderstood { message, instead }| {
+        let mut answers = answered.unwrap_or_else(|Misunderstood { message, instead }| {
             spoken.refused += 1;
             vec![error(&message, instead)]
         });

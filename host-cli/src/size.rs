@@ -1,6 +1,7 @@
-//! Computes capacities for homes and lessons, and their memory.
+//! `goodbot size`: the memory that a robot needs for homes and lessons, as source code for a controller.
 
-use super::SizeOptions;
+use clap::{Args, ValueHint};
+use goodbot::capacity::{Capacity, WORDS_PER_COMMAND};
 use goodbot::feedback::Strategy;
 use goodbot::home::{Home, HomeState, Moves};
 use goodbot::language::Model;
@@ -11,15 +12,150 @@ use goodbot::snapshot::most_bytes;
 use goodbot::task::TaskSet;
 use goodbot::{Agent, Capacities, Options};
 use goodbot_capi::memory::bytes_32;
-use goodbot_console::load::input::{self, InputFile, Place, WorldInFile};
-use goodbot_console::outcome::Failure;
-use goodbot_console::refusal;
-use goodbot_console::training_data::{self, Lesson, LogOptions, training};
+use goodbot_console::load::input::{Place, WorldInFile};
+use goodbot_console::training_data::LogOptions;
+use goodbot_console::{Failure, InputFile, Learner, Lesson, Printed, TaskKinds, between, counted, input, outcome, training, training_data};
 use goodbot_formats::environment::EnvironmentFile;
 use goodbot_lesson::first_words::heard;
 use goodbot_lesson::home;
 use goodbot_lesson::world::robot::{self, Robot, WorldFlaw};
+use serde_json::json;
 use std::collections::BTreeSet;
+use std::io::Write;
+
+/// The options of `goodbot size`.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+With these capacities nothing is refused and no lesson gives way, in any of the homes, from any state. The homes of a log count too.
+
+That is the worst case. With a log, words and machine commands are counted as the log has them, which takes much less, and a robot is trained on \
+it in that memory: it tells how many sessions it kept. Without a log, every word of every command counts as a new word of 12 letters.
+
+Examples:
+  goodbot size home.json --log log.jsonl
+  goodbot size home.json --sessions 20 --words 6
+  goodbot size lift.json --log lift.jsonl
+  goodbot size --log log.jsonl --sessions 100 --json")]
+pub struct SizeOptions {
+    /// The robot's homes, as JSON or drawn as text, or the world of another robot; - is standard input
+    #[arg(value_name = "PLACE", value_hint = ValueHint::FilePath, required_unless_present = "log")]
+    places: Vec<InputFile>,
+    /// Sessions that it is to keep, with their homes; may be given several times
+    #[arg(long, short = 'l', value_name = "LOG", value_hint = ValueHint::FilePath)]
+    log: Vec<InputFile>,
+    /// The number of sessions that it must keep, 1 to 65535 [default: those of the log, or 16]
+    #[arg(long, value_name = "N", value_parser = between(1, usize::from(u16::MAX)))]
+    sessions: Option<usize>,
+    /// The most words of one command, 1 to 64 [default: those of the log, or 8]
+    #[arg(long, value_name = "N", value_parser = between(1, WORDS_PER_COMMAND))]
+    words: Option<usize>,
+    #[command(flatten)]
+    kinds: TaskKinds,
+    /// The learner. A controller has no layer: the default needs as much there as roles
+    #[arg(long, value_enum, value_name = "NAME", default_value_t = Learner::Roles)]
+    learner: Learner,
+    /// Print a line of JSON
+    #[arg(long)]
+    json: bool,
+}
+
+/// Runs the command.
+///
+/// # Errors
+/// [`Failure`].
+pub fn run(options: &SizeOptions) -> Result<(), Failure> {
+    let needs = Needs::find(options)?;
+    let mut out = Printed::stdout();
+    if options.json {
+        writeln!(out, "{}", to_json(&needs))?;
+    } else {
+        print(&mut out, &needs)?;
+    }
+    Ok(out.flush()?)
+}
+
+fn to_json(needs: &Needs) -> serde_json::Value {
+    let capacities: serde_json::Map<_, _> =
+        Capacity::ALL.iter().map(|&capacity| (capacity.name().to_owned(), json!(needs.capacities.get(capacity)))).collect();
+    let lessons = &needs.lessons;
+    json!({
+        "type": "size", "homes": needs.homes, "world": needs.world, "sessions": lessons.sessions, "words": lessons.words,
+        "different_words": lessons.different_words, "word_bytes": lessons.word_bytes, "capacities": capacities,
+        "exact_states": needs.exact_states, "ram": { "controller": needs.ram(), "stack": STACK },
+        "flash": { "model": needs.model_bytes(), "slot": needs.slot_bytes() }, "kept": needs.kept,
+    })
+}
+
+fn print(out: &mut impl Write, needs: &Needs) -> Result<(), Failure> {
+    let lessons = &needs.lessons;
+    let [homes, sessions] = [(needs.homes, "home"), (lessons.sessions, "session")].map(|(n, it)| counted(n, it));
+    let place = needs.world.as_ref().map_or(homes, |world| format!("the world {}", world));
+    writeln!(
+        out,
+        "A robot in {place} that keeps {sessions} of at most {}, {} different:",
+        counted(lessons.words, "word"),
+        lessons.different_words
+    )?;
+    writeln!(out)?;
+    writeln!(
+        out,
+        "  RAM    {:>7} bytes on a 32-bit controller, and a stack of {} bytes, as docs/footprint.md says of the course",
+        needs.ram(),
+        STACK
+    )?;
+    writeln!(
+        out,
+        "  flash  {:>7} bytes at most for the model; two slots of {} outlive power cuts",
+        needs.model_bytes(),
+        needs.slot_bytes()
+    )?;
+    writeln!(out, "                 for the program: see docs/footprint.md")?;
+    if let Some(kept) = needs.kept {
+        writeln!(out, "  tried  {kept:>7} of {} sessions of the log were kept in that memory", needs.taught)?;
+    }
+    if needs.exact_states != Some(needs.capacities.states) {
+        let exact = needs.exact_states.map_or("more than can be counted".to_owned(), |states| states.to_string());
+        writeln!(
+            out,
+            "\nThe states are limited to {}; exact plans need {exact}. Plans for far goals are approximate.",
+            needs.capacities.states
+        )?;
+    }
+    writeln!(out, "\nIn Rust:\n\n{}", rust(&needs.capacities))?;
+    writeln!(out, "In C:\n\n{}", c(&needs.capacities, needs.ram(), needs.world.is_some()))?;
+    Ok(())
+}
+
+/// The capacities in Rust.
+pub fn rust(capacities: &Capacities) -> String {
+    let fields = rust_fields(capacities);
+    format!("goodbot::memory! {{\n    struct RobotMemory = goodbot::Capacities {{\n{fields}    }};\n}}\n")
+}
+
+/// The capacities in C, with a buffer of `bytes` bytes for a robot in homes, or for one with a table.
+pub fn c(capacities: &Capacities, bytes: usize, is_table: bool) -> String {
+    let (table, size) = (c_table("capacities", capacities), if is_table { "goodbot_table_size" } else { "goodbot_size" });
+    format!(
+        "{table}/* Where a pointer has four bytes; {size}(&capacities) says how many are needed. */\n\
+         GOODBOT_ALIGNED static unsigned char memory[{bytes}];\n"
+    )
+}
+
+/// A line for each field of capacities in Rust.
+pub fn rust_fields(capacities: &Capacities) -> String {
+    Capacity::ALL.iter().map(|&capacity| format!("        {}: {},\n", capacity.name(), capacities.get(capacity))).collect()
+}
+
+/// Capacities of this name in C that also compile as C++, which has no designated array entries.
+pub fn c_table(name: &str, capacities: &Capacities) -> String {
+    let entries: String =
+        Capacity::ALL.iter().map(|&capacity| format!("    {}, /* {} */\n", capacities.get(capacity), capacity.name())).collect();
+    format!(
+        "#if GOODBOT_CAPACITIES != {}\n#error \"print these capacities with the goodbot that this library comes from\"\n#endif\n\
+         static const goodbot_capacities {name} = {{ {{\n{entries}}} }};\n",
+        Capacity::ALL.len()
+    )
+}
 
 /// The most states for a home: on a controller, exact plans in larger homes cost more memory than they are worth.
 const MOST_STATES: usize = Capacities::SMALL.states;
@@ -33,7 +169,7 @@ const MOST_BLOCKS: usize = 8;
 /// The strategies that a robot in C expects: without room for them it does not find out who presses one button only.
 const TRAINERS: [(Strategy, f32); 3] = Strategy::ONE_BUTTON_OR_BOTH;
 /// The deepest stack of the course in `docs/footprint.md`; `cargo xtask footprint` writes both.
-pub const STACK: usize = match usize::from_str_radix(include_str!("stack.txt").trim_ascii(), 10) {
+pub const STACK: usize = match usize::from_str_radix(include_str!("size/stack.txt").trim_ascii(), 10) {
     Ok(bytes) => bytes,
     Err(_) => 0,
 };
@@ -190,14 +326,14 @@ pub fn least_of_world(robot: &Robot<'_>, lessons: &Lessons, learner: Options) ->
         agent.least_capacities(robot, lessons)
     });
     least.map_err(|error| {
-        let (field, message) = refusal::in_a_world(&error);
+        let (field, message) = outcome::in_a_world(&error);
         WorldFlaw { field: field.to_owned(), message }
     })
 }
 
 /// Trains a robot on the log in this memory. Returns how many sessions it kept, and the sizes of their machine commands.
 fn train(capacities: &Capacities, log: &[Lesson], learner: &Options) -> Result<(usize, Capacities), Failure> {
-    let mut memory = goodbot_console::learner::memory(capacities, &learner.language, training::tasks(log));
+    let mut memory = goodbot_console::typed::memory(capacities, &learner.language, training::tasks(log));
     let model = training::train(&mut memory, log.iter(), learner.language)?;
     let data = model.read().bitext();
     let command_tokens = (0..data.commands() as u16).map(|command| data.command(command).len()).sum();

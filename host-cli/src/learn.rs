@@ -2,16 +2,11 @@
 
 use clap::{Args, ValueHint};
 use goodbot::{Agent, Capacities};
-use goodbot_console::believes::Believes;
-use goodbot_console::learner::{self, Learner};
-use goodbot_console::load::input::InputFile;
-use goodbot_console::load::kinds::{TaskKinds, with_kinds};
-use goodbot_console::load::limit::Limit;
-use goodbot_console::messages::counted;
-use goodbot_console::outcome::Failure;
-use goodbot_console::output::{self, Kind, Output};
-use goodbot_console::starter::StarterOptions;
-use goodbot_console::training_data::{self, LogOptions, training};
+use goodbot_console::load::kinds::with_kinds;
+use goodbot_console::training_data::LogOptions;
+use goodbot_console::{
+    Believes, Failure, InputFile, Kind, Learner, Limit, Output, StarterOptions, TaskKinds, counted, output, training, training_data, typed,
+};
 use serde_json::json;
 use std::io::Write;
 use std::path::PathBuf;
@@ -80,7 +75,7 @@ pub fn run(options: &LearnOptions) -> Result<(), Failure> {
     lessons.extend(starter.beside(learned).cloned());
     let capacities = training::capacities(&lessons, Capacities { states: 64, hashed_states: 0, ..Capacities::STANDARD });
     let settings = options.learner.options().language;
-    let room = || learner::memory(&capacities, &settings, training::tasks(&lessons));
+    let room = || typed::memory(&capacities, &settings, training::tasks(&lessons));
     let mut memory = room();
     // A model file keeps the training data, and whoever reads it trains on them: so nothing is trained here.
     let model = training::data(&mut memory, lessons.iter(), settings)?;

@@ -1,19 +1,11 @@
 //! `goodbot inspect`: the words of a model, and their meanings.
 
-pub mod sessions;
-
-use crate::paper::lexicon::Lexicon;
-use crate::paper::plot;
-use crate::teach::full_words::FullWords;
+use crate::paper::summary;
+use crate::words::{self, FullWords, Lexicon};
 use clap::{Args, ValueHint};
 use goodbot::language::Settings;
 use goodbot_console::load::kinds::{kept, texts};
-use goodbot_console::messages::counted;
-use goodbot_console::numbers::between;
-use goodbot_console::outcome::Failure;
-use goodbot_console::output::{self, Output};
-use goodbot_console::restored;
-use goodbot_console::whole_file::read_model;
+use goodbot_console::{Failure, Output, between, counted, output, read_model, restored};
 use serde_json::json;
 use std::io::Write;
 use std::path::PathBuf;
@@ -28,7 +20,7 @@ pub struct InspectOptions {
     #[arg(value_name = "MODEL", value_hint = ValueHint::FilePath)]
     model: PathBuf,
     /// Number of words of each token, and of tokens of each word: 1 to 1000
-    #[arg(long, short = 'n', value_name = "N", default_value = "8", value_parser = between(1_usize, 1_000), allow_negative_numbers = true)]
+    #[arg(long, short = 'n', value_name = "N", default_value = "8", value_parser = between(1_usize, 1_000))]
     most: usize,
     /// Write a heat map of the most telling words; - is standard output
     #[arg(long, value_name = "FILE.svg", value_hint = ValueHint::FilePath)]
@@ -50,7 +42,7 @@ pub fn run(options: &InspectOptions) -> Result<(), Failure> {
     let agent = restored::model(&options.model)?;
     if options.sessions {
         let mut out = output::text(&[])?;
-        for (number, command) in (1..).zip(sessions::commands(&agent)) {
+        for (number, command) in (1..).zip(words::commands(&agent)) {
             if options.json {
                 writeln!(out, "{}", json!({"type": "session", "number": number, "command": command}))?;
             } else {
@@ -65,7 +57,7 @@ pub fn run(options: &InspectOptions) -> Result<(), Failure> {
     let mut out = output::text(&[target.as_ref()])?;
     // The picture comes first, so that it is written even if the reader of the text stops early.
     if let Some(target) = &target {
-        target.draw(plot::learned_words(&telling(&lexicon)))?;
+        target.draw(summary::learned_words(&telling(&lexicon)))?;
     }
     if !options.json {
         let sessions = counted(agent.language().bitext().sessions(), "session");
