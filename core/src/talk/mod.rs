@@ -50,9 +50,7 @@ mod wording;
 mod words;
 
 pub use crate::voice::{Class, Classes, ClosedWords, ClosedWordsError, Said, Stage, for_each_open_word};
-pub use acceptance::{
-    ACTS_FROM, CLUES, Clues, HASHED, KINDS, KINDS_OF_WORDS, SENSES, Spoken, Trained, Weights, WeightsError, clue_name,
-};
+pub use acceptance::{ACTS_FROM, CLUES, Clues, HASHED, KINDS, KINDS_OF_WORDS, SENSES, Spoken, Trained, Weights, WeightsError, clue_name};
 pub use conversation::{Conversation, Fact};
 pub use correction::Corrected;
 pub use hypothesis::Hypothesis;

@@ -277,7 +277,10 @@ mod tests {
         let trained = Trained { scales: [0.5, 0.25, 2.0], clues: &[-3; CLUES], senses: &senses, words: &words };
         trained.write(|bytes| file.extend_from_slice(bytes));
         let weights = Weights::new(&file).unwrap();
-        assert_eq!((weights.bias(), weights.of_clue(0), weights.of_clue(CLUES as u16 - 1), weights.scale_of_words()), (0.5, -0.75, -0.75, 2.0));
+        assert_eq!(
+            (weights.bias(), weights.of_clue(0), weights.of_clue(CLUES as u16 - 1), weights.scale_of_words()),
+            (0.5, -0.75, -0.75, 2.0)
+        );
         for (hash, sense) in words {
             assert_eq!(weights.of_word(hash), senses[usize::from(sense)].map(i16::from), "{hash}");
         }

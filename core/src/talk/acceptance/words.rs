@@ -148,7 +148,8 @@ mod tests {
 
     fn features(utterance: &str, taught: &[u8]) -> std::vec::Vec<String> {
         let mut features = std::vec::Vec::new();
-        Spoken::of(utterance, Weights::BUILT_IN, taught.iter().map(|&piece| (piece, piece == 4))).for_each(&mut |_, texts| features.push(texts.join("~")));
+        Spoken::of(utterance, Weights::BUILT_IN, taught.iter().map(|&piece| (piece, piece == 4)))
+            .for_each(&mut |_, texts| features.push(texts.join("~")));
         features
     }
 
