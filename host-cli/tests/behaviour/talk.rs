@@ -416,6 +416,46 @@ fn a_first_look_scores_sentences_by_what_the_robot_does_of_all_their_commands() 
 }
 
 #[test]
+fn what_decides_whether_to_act_can_be_trained_anew_and_damaged_weights_are_refused() {
+    let (folder, model) = taught(120, &ENGLISH);
+    let write = |name: &str, text: &[u8]| {
+        let file = folder.path().join(name);
+        std::fs::write(&file, text).expect("a file");
+        file.to_str().expect("a name").to_owned()
+    };
+    write("home.json", three_rooms().json().to_string().as_bytes());
+    // These people never mean what they say.
+    let rows = [
+        "go to the red room",
+        "go to the blue room",
+        "go to the green room",
+        "move to the red room",
+        "take the yellow bag to the red room",
+    ];
+    write("said.tsv", rows.map(|words| format!("plain\t{words}\tnone\n")).concat().as_bytes());
+    let sets = write("sets.tsv", format!("somebody\ten\t{model}\thome.json\tsaid.tsv\n").as_bytes());
+    let trained = folder.path().join("new.acts").to_str().expect("a name").to_owned();
+    let run = goodbot(&["acts", &sets, "--weights", &trained], b"");
+    assert_eq!(run.code, 0, "{}", run.messages);
+    let verdict = |weights: &str| {
+        let answers = asked_with(&["--acts", weights], &model, &three_rooms(), &["go to the blue room".to_owned()]);
+        answers[0]["verdict"].as_str().expect("a verdict").to_owned()
+    };
+    let built_in = include_bytes!("../../../core/src/talk/acceptance/weights.acts");
+    assert_eq!((verdict(&write("same.acts", built_in)), verdict(&trained)), ("sure".to_owned(), "unsure".to_owned()));
+    let mut damaged = built_in.to_vec();
+    damaged[1_000] ^= 1;
+    for (weights, reason) in
+        [(&damaged[..], "their checksum is wrong"), (&built_in[..5_000], "a part of the weights is missing"), (b"{}", "no weights")]
+    {
+        let home = folder.path().join("home.json");
+        let ask = ["ask", "--with", &model, "--environment", home.to_str().expect("a name"), "--acts"];
+        let refused = goodbot(&[&ask[..], &[&write("bad.acts", weights), "go"]].concat(), b"");
+        assert!(refused.code != 0 && refused.messages.contains(reason), "{}", refused.messages);
+    }
+}
+
+#[test]
 fn what_shall_not_be_is_a_task_of_its_own_and_planned_for() {
     let (_folder, model) = taught(120, &ENGLISH);
     let home = three_rooms();
