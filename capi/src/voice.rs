@@ -58,7 +58,7 @@ fn beginning(words: &str) -> &str {
     let Some(head) = (words.len() > LOOKED_AT).then(|| (0..=LOOKED_AT).rev().find_map(|end| words.get(..end))).flatten() else {
         return words;
     };
-    head.rsplit_once(' ').map_or(head, |(before, _)| before)
+    head.bytes().rposition(|byte| byte == b' ').and_then(|end| head.get(..end)).unwrap_or(head)
 }
 
 /// Finds what a person's words ask for, given the session under way, the actions that `goodbot_acted` reported, and the open question. It

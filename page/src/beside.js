@@ -16,6 +16,7 @@ const STEP = 350;
 
 /** @type {import('./store.js').Robot[]} */
 let all = [];
+let searches = 0;
 
 /** The most likely task to a robot that hears a command in the current home. Nobody learns from that.
  * @param {import('./store.js').Robot} robot
@@ -34,8 +35,8 @@ async function taskOf({ model, ways, starter }, command) {
 }
 
 // The home with the robot on its way to a task; where motion is not wanted, at its end.
-function wayTo(task) {
-  const { scene, places } = walk(world.environment(), task);
+function wayTo(task, ways) {
+  const { scene, places } = walk(world.environment(), task, ways);
   const frame = new Frame(scene.bounds);
   const put = (thing, isRobot, cells) => {
     const [x, y] = cells[cells.length - 1];
@@ -50,18 +51,19 @@ function wayTo(task) {
 async function askAll() {
   const command = spaced($('beside-command').value.trim() || $('beside-command').placeholder);
   const asked = all;
+  const search = searches += 1;
   const told = [];
-  const tasks = [];
+  const heard = [];
   for (const robot of asked) {
     const task = await taskOf(robot, command);
-    if (!task) return;
-    tasks.push(task);
+    // It could not hear the command, and said why.
+    if (task) heard.push([robot, task]);
   }
-  if (asked !== all) return;
-  $('beside-answers').replaceChildren(...asked.map((robot, at) => {
-    const [head, rest] = guess(tasks[at]);
+  if (asked !== all || search !== searches) return;
+  $('beside-answers').replaceChildren(...heard.map(([robot, task]) => {
+    const [head, rest] = guess(task);
     told.push(robot.name + ': ' + head);
-    return make('li', {}, make('b', {}, robot.name), wayTo(tasks[at].name), make('p', {}, head, ' ', make('small', {}, rest)));
+    return make('li', {}, make('b', {}, robot.name), wayTo(task.name, robot.ways === true), make('p', {}, head, ' ', make('small', {}, rest)));
   }));
   for (const svg of $('beside-answers').querySelectorAll('svg')) fitNames(svg);
   announce(quoted(command) + ' ' + told.join(' '));
@@ -73,7 +75,7 @@ export function renderBeside(robots) {
   $('beside').hidden = !others.length;
   $('beside-command').placeholder = $('command').value || $('ideas').firstChild?.textContent || '';
   const asked = [state.robot, ...others].slice(0, MOST_ROBOTS);
-  if (isDrawn('beside', asked.map(({ id, changed }) => [id, changed]), world.environment())) return;
+  if (isDrawn('beside', asked.map(({ id, changed }) => [id, changed]), world.environment(), world.pulls())) return;
   all = asked;
   $('beside-answers').replaceChildren();
 }

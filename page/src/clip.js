@@ -17,12 +17,14 @@ export const clipType = () => (typeof MediaRecorder === 'function' && 'captureSt
 
 /** The cells of the robot and of the things on its shortest way to a task, the first before the first step.
  * @param {string} home
- * @param {string} task */
-export function walk(home, task) {
+ * @param {string} task
+ * @param {boolean} ways whether the robot may be told how to go */
+export function walk(home, task, ways) {
   const robot = new Goodbot(0);
   try {
     robot.setEnvironment(home);
-    robot.setWays(world.ways());
+    robot.setWays(ways);
+    robot.setPulls(world.pulls());
     const scene = parsed(robot.scene());
     robot.hear('a');
     robot.lookAhead(parsed(robot.belief()).tasks.findIndex(({ name }) => name === task));
@@ -47,7 +49,7 @@ export function walk(home, task) {
  * @param {string} above what it is told
  * @param {string} below */
 export async function clipOf(home, task, above, below) {
-  const { scene, places } = walk(home, task);
+  const { scene, places } = walk(home, task, world.ways());
   const frame = new Frame(scene.bounds);
   const scale = WIDTH / frame.width;
   const height = TOP + frame.height * scale + BOTTOM;

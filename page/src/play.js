@@ -20,7 +20,7 @@ export async function renderIdeas() {
   if (isDrawn('ideas', state.scene, world.pulls())) return;
   $('ideas').replaceChildren();
   const search = searches += 1;
-  const isStale = () => search !== searches || Boolean(state.session) || state.phase !== 'none';
+  const isStale = () => search !== searches || Boolean(state.session) || state.phase !== 'none' || state.mode !== 'play' || state.secret === 'open';
   // First the page is drawn.
   await nextFrame();
   const found = await ideas(isStale);

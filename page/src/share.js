@@ -17,7 +17,7 @@ export function share(link, title, about, pasted = false) {
   $('shared-about').textContent = (about + ' ' + more).trim();
   $('link').value = link;
   // A table is no address: only its code is of use.
-  $('link').closest('.field').hidden = $('copy-link').hidden = !link.includes('://');
+  $('link').closest('.field').hidden = $('copy-link').hidden = !link.includes('://') && Boolean(squares(link));
   drawCode(link);
   $('shared').showModal();
 }

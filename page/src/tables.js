@@ -109,10 +109,11 @@ const { BarcodeDetector } = /** @type {any} */ (window);
 
 export const readsPhotos = Boolean(BarcodeDetector);
 
-/** The rows of the tables whose codes are on a photo.
+/** The rows of the tables whose codes are on a photo, without those of damaged codes.
  * @param {Blob} photo */
 export async function rowsOn(photo) {
   const codes = await new BarcodeDetector({ formats: ['qr_code'] }).detect(await createImageBitmap(photo));
   const texts = codes.map(({ rawValue }) => rawValue).filter(text => text.startsWith(CODE));
-  return Promise.all(texts.map(async text => rowsOf(new TextDecoder().decode(await expanded(fromAddress(text.slice(CODE.length)))))));
+  const all = await Promise.allSettled(texts.map(async text => rowsOf(new TextDecoder().decode(await expanded(fromAddress(text.slice(CODE.length)))))));
+  return all.flatMap(one => (one.status === 'fulfilled' ? [one.value] : []));
 }

@@ -77,7 +77,10 @@ impl<M: AgentMemory> Agent<M> {
     ) -> Result<usize, AgentError> {
         check(hypotheses, |weight| weight < f32::INFINITY)?;
         let most = hypotheses.iter().map(|hypothesis| hypothesis.weight).fold(f32::NEG_INFINITY, f32::max);
-        self.hear_most_probable(domain, state, hypotheses, |weight| Scaled::exp(weight - most))
+        self.hear_most_probable(domain, state, hypotheses, |weight| {
+            let apart = weight - most;
+            Scaled::exp(if weight.is_finite() { apart.max(f32::MIN) } else { apart })
+        })
     }
 
     fn hear_most_probable<D: Domain>(

@@ -17,13 +17,14 @@ use goodbot::capacity::WORDS_PER_COMMAND;
 use goodbot::home::Map;
 use goodbot::language::{Synonyms, first_words};
 use goodbot::memory::{AgentMemory, HomeMemory};
-use goodbot::talk::{ClosedWords, Hypothesis, Verdict};
+use goodbot::talk::{ClosedWords, Hypothesis, Verdict, Weights};
 use goodbot_console::load::input::Content;
 use goodbot_console::load::words::said_in_known_words;
 use goodbot_console::messages::{is_colored, tell};
 use goodbot_console::training_data::worlds;
 use goodbot_console::whole_file::options_of_model;
 use goodbot_console::{ClosedWordOptions, Failure, InputFile, Printed, StarterOptions, SynonymOptions, TaskKinds, counted, input};
+use goodbot_lesson::Fault;
 use meanings::{Interpretation, Meaning, Plan, plan};
 use serde_json::json;
 use std::io::{self, BufRead, Write};
@@ -52,6 +53,9 @@ pub struct AskOptions {
     synonyms: SynonymOptions,
     #[command(flatten)]
     closed_words: ClosedWordOptions,
+    /// What decides whether the robot acts on what was said, in place of the built-in weights (goodbot acts --weights writes such a file)
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    acts: Option<InputFile>,
     #[command(flatten)]
     kinds: TaskKinds,
     #[command(flatten)]
@@ -107,6 +111,11 @@ pub fn run(options: &AskOptions) -> Result<(), Failure> {
     };
     let (mut agent, site, mut start) = meanings::robot(options, &setting)?;
     let (synonyms, closed) = (options.synonyms.read()?, options.closed_words.read()?);
+    let weights = options.acts.as_ref().map(|file| Ok::<_, Failure>((file, input::bytes(file)?))).transpose()?;
+    let closed = match &weights {
+        Some((file, bytes)) => closed.weighed(Weights::new(bytes).map_err(|error| Fault::new(input::name(file), error))?),
+        None => closed,
+    };
     let mut out = Printed::stdout();
     let mut refused = 0_usize;
     for (number, command) in commands.iter().enumerate() {
@@ -207,8 +216,8 @@ fn in_world(options: &AskOptions, opened: impl BufRead) -> Result<Asked, Failure
         return Ok(Asked::Heard(Setting::Other(Arc::new(world)), commands));
     }
     // No robot listens here and tells why.
-    if options.why || options.conversation {
-        let message = "--why and --conversation are for homes, and for worlds with actions; leave them out here";
+    if options.why || options.conversation || options.acts.is_some() {
+        let message = "--why, --conversation and --acts are for homes, and for worlds with actions; leave them out here";
         return Err(Failure::Input(message.to_owned()));
     }
     let model = options_of_model(&options.with)?;

@@ -56,3 +56,20 @@ fn run(block: &str, folder: &Path, path: &OsStr) {
     let said = [run.stdout, run.stderr].map(|bytes| String::from_utf8_lossy(&bytes).into_owned());
     assert!(run.status.success(), "{block}\n{said:?}");
 }
+
+#[test]
+fn the_marks_of_each_code_block_stand_on_lines_of_their_own() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the project");
+    let pages = |folder: &str| fs::read_dir(root.join(folder)).expect("a folder").map(|file| file.expect("a file").path());
+    let pages = pages("docs").chain(pages("docs/appendix")).chain(pages("")).filter(|page| page.extension().is_some_and(|it| it == "md"));
+    let (mut count, mark) = (0, "```");
+    for page in pages {
+        let text = fs::read_to_string(&page).expect("a page");
+        let marks: Vec<&str> = text.lines().filter(|line| line.contains(mark)).map(str::trim_start).collect();
+        // A paragraph that was wrapped over a block has its mark in the middle of a line, and the block runs nowhere.
+        let is_alone = |line: &&str| line.strip_prefix(mark).is_some_and(|language| language.chars().all(|it| it.is_ascii_alphanumeric()));
+        assert!(marks.iter().all(is_alone) && marks.len().is_multiple_of(2), "{}: {marks:?}", page.display());
+        count += marks.len() / 2;
+    }
+    assert!(count > 60, "{count} blocks");
+}

@@ -445,8 +445,7 @@ fn what_decides_whether_to_act_can_be_trained_anew_and_damaged_weights_are_refus
     assert_eq!((verdict(&write("same.acts", built_in)), verdict(&trained)), ("sure".to_owned(), "unsure".to_owned()));
     let mut damaged = built_in.to_vec();
     damaged[1_000] ^= 1;
-    for (weights, reason) in
-        [(&damaged[..], "their checksum is wrong"), (&built_in[..5_000], "a part of the weights is missing"), (b"{}", "no weights")]
+    for (weights, reason) in [(&damaged[..], "their checksum is wrong"), (&built_in[..5_000], "too few or too many"), (b"{}", "no weights")]
     {
         let home = folder.path().join("home.json");
         let ask = ["ask", "--with", &model, "--environment", home.to_str().expect("a name"), "--acts"];
@@ -468,6 +467,8 @@ fn what_shall_not_be_is_a_task_of_its_own_and_planned_for() {
         ("please take the yellow bag out of the green room", "sure", "!blockInRoom(block0,room2)"),
         ("take the chair out of the blue room", "sure", "!blockInRoom(block2,room1)"),
         ("don't put the yellow bag into the red room", "done", "!blockInRoom(block0,room0)"),
+        // It is more probable that the robot shall stay out, but then nothing would be said of the bag.
+        ("don't let the yellow bag go into the red room", "done", "!blockInRoom(block0,room0)"),
     ];
     check(&model, &home, &cases);
     let [answer] = &asked(&model, &home, &["leave the red room".to_owned()])[..] else { panic!("one answer") };

@@ -10,7 +10,7 @@ pub mod sets;
 
 use clap::{Args, ValueHint};
 use fit::{Example, Fitted, Prices};
-use goodbot::talk::{ACTS_FROM, CLUES, HASHED, KINDS, Trained, clue_name};
+use goodbot::talk::{ACTS_FROM, CLUES, HASHED, KINDS, Trained, Weights, clue_name};
 use goodbot_console::messages::bar;
 use goodbot_console::outcome::Failure;
 use goodbot_console::output;
@@ -50,7 +50,7 @@ pub struct ActsOptions {
     /// Ask the decision that the library has, and fit nothing: a first look at sentences that it never saw
     #[arg(long, conflicts_with_all = ["weights", "explain", "price", "most", "folds"])]
     first_look: bool,
-    /// Write the weights, for the library and for --weights of `goodbot ask` and `teach`
+    /// Write the weights, for the library and for --acts of `goodbot ask`
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     weights: Option<PathBuf>,
     /// Print the weights, the largest first
@@ -170,7 +170,9 @@ pub fn run(options: &ActsOptions) -> Result<(), Failure> {
         explain(&mut out, &said, &fitted)?;
     }
     if let Some(file) = &options.weights {
-        std::fs::write(file, bytes(&fitted)).map_err(|error| Failure::Input(format!("{}: {error}", file.display())))?;
+        let bytes = bytes(&fitted);
+        Weights::new(&bytes).map_err(|error| Failure::Input(format!("{}: {error}; try a smaller --most", file.display())))?;
+        std::fs::write(file, bytes).map_err(|error| Failure::Input(format!("{}: {error}", file.display())))?;
         writeln!(out, "weights of {} clues and {} words in {}", fitted.clues.len(), fitted.words.len(), file.display())?;
     }
     Ok(out.flush()?)

@@ -46,7 +46,7 @@ const STARTS: usize = OF_SENSES + KINDS * SENSES;
 const COUNTS: usize = STARTS + 2 * GROUPS;
 const HASHES: usize = COUNTS + BLOCKS;
 
-/// The trained weights of the acceptance: 34 KB. Those of the library are in [`ClosedWords`](crate::talk::ClosedWords), and
+/// The trained weights of the acceptance: 37 KB. Those of the library are in [`ClosedWords`](crate::talk::ClosedWords), and
 /// [`ClosedWords::weighed`](crate::talk::ClosedWords::weighed) replaces them.
 ///
 /// ```
@@ -69,7 +69,7 @@ pub enum WeightsError {
         /// Their version, and how many clues they weigh.
         found: [u16; 2],
     },
-    /// A part of them is missing, or there are too many.
+    /// There are too few of them, or too many.
     Length {
         /// How many there are.
         bytes: usize,
@@ -86,7 +86,7 @@ impl fmt::Display for WeightsError {
                 f,
                 "these weights are of version {version} and weigh {clues} clues, but this program reads version {VERSION} with {CLUES}: train them again"
             ),
-            Self::Length { bytes } => write!(f, "a part of the weights is missing: {bytes} bytes"),
+            Self::Length { bytes } => write!(f, "{bytes} bytes are too few or too many for these weights"),
             Self::Checksum => f.write_str("the weights were damaged: their checksum is wrong"),
         }
     }
@@ -133,6 +133,9 @@ impl<'w> Weights<'w> {
         let (content, checksum) = bytes.split_at_checked(HASHES + 2 * words).ok_or(missing)?;
         if checksum != checksum_of(content) {
             return Err(WeightsError::Checksum);
+        }
+        if [BIAS, SCALE, SCALE_OF_WORDS].iter().any(|&at| !weights.float(at).is_finite()) {
+            return Err(WeightsError::Foreign);
         }
         // Words are found by these places, so a file with other ones would have words that nobody finds.
         let mut start = 0;
@@ -227,7 +230,8 @@ pub struct Trained<'w> {
     pub clues: &'w [i8],
     /// The weights of each sense, for each kind of reading.
     pub senses: &'w [[i8; KINDS]; SENSES],
-    /// The words that have weights: their hashes, in ascending order, with their senses; at most 255 in a block of 256.
+    /// The words that have weights: their hashes, in ascending order, with their senses; at most 255 in a block of 256, and 65,535 in all.
+    /// [`Weights::new`] refuses a file with more.
     pub words: &'w [(u32, u8)],
 }
 
@@ -265,7 +269,9 @@ mod tests {
     fn each_word_of_the_file_is_found_and_no_other() {
         let weights = Weights::new(Weights::BUILT_IN.bytes()).unwrap();
         let found = (0..HASHED as u32).filter(|&hash| weights.of_word(hash) != [0; KINDS]).count();
-        assert!(found > 1_000 && found <= weights.words() && found + 100 > weights.words(), "{found} of {}", weights.words());
+        let is_there = |&sense: &&u8| (0..KINDS).any(|kind| weights.signed(OF_SENSES + usize::from(*sense) * KINDS + kind) != 0);
+        let senses = &weights.bytes()[HASHES + weights.words()..HASHES + 2 * weights.words()];
+        assert!(found > 1_000 && found == senses.iter().filter(is_there).count(), "{found} of {}", weights.words());
     }
 
     #[test]
@@ -301,6 +307,19 @@ mod tests {
         assert_eq!(refused(&|bytes| bytes.truncate(100)), WeightsError::Length { bytes: 100 });
         assert_eq!(refused(&|bytes| bytes.push(0)), WeightsError::Length { bytes: good.len() + 1 });
         assert_eq!(refused(&|bytes| bytes[OF_CLUES + 9] ^= 1), WeightsError::Checksum);
+        let sealed = |bytes: &mut std::vec::Vec<u8>| {
+            let end = bytes.len() - CHECK_BYTES;
+            let checksum = checksum_of(&bytes[..end]);
+            bytes[end..].copy_from_slice(&checksum);
+        };
+        let changed = |at: usize, value: &[u8]| {
+            refused(&|bytes| {
+                bytes[at..at + value.len()].copy_from_slice(value);
+                sealed(bytes);
+            })
+        };
+        assert_eq!(changed(SCALE, &f32::NAN.to_le_bytes()), WeightsError::Foreign);
+        assert_eq!(changed(STARTS + 2, &[0xff, 0xff]), WeightsError::Checksum);
         assert!(std::format!("{}", refused(&|bytes| bytes[VERSION_AT] = 9)).contains("train them again"));
     }
 }

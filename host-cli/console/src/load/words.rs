@@ -6,7 +6,7 @@ use crate::outcome::Failure;
 use clap::{Args, ValueHint};
 use goodbot::capacity::CapacityError;
 use goodbot::language::{LanguageRef, Synonyms};
-use goodbot::talk::{ClosedWords, Weights};
+use goodbot::talk::ClosedWords;
 use goodbot_lesson::Fault;
 use goodbot_lesson::closed_words::{CLOSED_WORDS, kept_table};
 use std::borrow::Cow;
@@ -18,25 +18,16 @@ pub struct ClosedWordOptions {
     /// empty file has none
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     closed_words: Option<InputFile>,
-    /// What decides whether the robot acts on what was said, in place of the built-in weights (goodbot acts --weights writes such a file)
-    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
-    acts: Option<InputFile>,
 }
 
 impl ClosedWordOptions {
-    /// The table in the file, or the built-in one, with the weights of the other file, or the built-in ones.
+    /// The table in the file, or the built-in one.
     ///
     /// # Errors
-    /// [`Failure::Input`] if a file cannot be read, or is no such table or no weights of this version.
+    /// [`Failure::Input`] if the file cannot be read or is no such table.
     pub fn read(&self) -> Result<ClosedWords<'static>, Failure> {
-        let table = match &self.closed_words {
-            Some(file) => kept_table(&input::text(file)?).map_err(|error| Fault::new(input::name(file), error))?,
-            None => CLOSED_WORDS,
-        };
-        let Some(file) = &self.acts else { return Ok(table) };
-        // A program reads one such file, and uses it until it ends.
-        let weights = Weights::new(Box::leak(input::bytes(file)?.into()));
-        Ok(table.weighed(weights.map_err(|error| Fault::new(input::name(file), error))?))
+        let Some(file) = &self.closed_words else { return Ok(CLOSED_WORDS) };
+        kept_table(&input::text(file)?).map_err(|error| Fault::new(input::name(file), error).into())
     }
 }
 
