@@ -223,7 +223,7 @@ mod tests {
 
     #[test]
     fn words_with_nearly_the_same_weights_have_one_sense() {
-        let word = |at: usize| [at as f64, 0.0, if at.is_multiple_of(2) { 5.0 } else { -5.0 }, 1.0];
+        let word = |at: usize| [at as f64, 0.0, if at.is_multiple_of(2) { 500.0 } else { -500.0 }, 1.0];
         let words: Vec<([f64; KINDS], f64)> = (0..1024).map(|at| (word(at), 1.0)).collect();
         let (middles, of) = senses(&words);
         let errors = words.iter().zip(&of).map(|((word, _), &sense)| (word[0] - middles[usize::from(sense)][0]).abs());
