@@ -953,7 +953,8 @@ goodbot_status goodbot_home_build(struct goodbot *robot);
 
 // Sets whether words may mean derived facts, as well as colours and shapes: the `leftmost`, `rightmost`, `topmost`, `bottommost`,
 // `largest` or `smallest` room, the `nearest` or `farthest` room or block. It holds for this home, once it is built; the next home begins
-// without. A session under way ends unlearned. One model can have lessons with derived facts and lessons without.
+// without. A session under way ends unlearned; one that joins the others already goes on first (`STILL_FINISHING`). One model can have
+// lessons with derived facts and lessons without.
 //
 // The caller sees to it:
 // `robot` is null or a handle.
@@ -1029,10 +1030,10 @@ GOODBOT_MUST_USE goodbot_status goodbot_table_set_state(struct goodbot *robot, u
 // `robot` is null or a handle, `state` null or room for a number.
 GOODBOT_MUST_USE goodbot_status goodbot_table_state(const struct goodbot *robot, uint32_t *state);
 
-// Sets how the trainer rewards and punishes: the probability of silence after a right action and after a wrong one, and of taking one
-// for the other. Without this the robot expects a trainer who uses both words (0.7, 0.7 and 0.1), praise alone (0.05, 0.7 and 0.1) or blame
+// Sets how the trainer rewards and punishes: the probability of silence after a right action and after a wrong one, and of taking one for
+// the other. Without this the robot expects a trainer who uses both words (0.7, 0.7 and 0.1), praise alone (0.05, 0.7 and 0.1) or blame
 // alone (0.7, 0.05 and 0.1), and finds out which; with fewer than 3 `STRATEGIES`, or fewer `BELIEFS` than 3 times `TASKS`, as in the tiny
-// preset, only the first. A session under way ends unlearned.
+// preset, only the first. A session under way ends unlearned; one that joins the others already goes on first (`STILL_FINISHING`).
 //
 // The caller sees to it:
 // `robot` is null or a handle.
@@ -1042,9 +1043,9 @@ goodbot_status goodbot_trainer(struct goodbot *robot,
                                float mu_minus,
                                float epsilon);
 
-// Sets the `count` strategies that the trainer may have; the robot finds out which. A session under way ends unlearned. `FULL` if they are
-// more than the capacity `STRATEGIES`, `NUMBER` if there are none, a number is out of range, or all priors are 0; the strategies are then
-// unchanged.
+// Sets the `count` strategies that the trainer may have; the robot finds out which. A session under way ends unlearned; one that joins the
+// others already goes on first (`STILL_FINISHING`). `FULL` if they are more than the capacity `STRATEGIES`, `NUMBER` if there are none, a
+// number is out of range, or all priors are 0; the strategies are then unchanged.
 //
 // The caller sees to it:
 // `robot` is null or a handle, `strategies` null or points to `count` of them.
@@ -1223,8 +1224,8 @@ GOODBOT_MUST_USE
 goodbot_status goodbot_current_options(const struct goodbot *robot,
                                        struct goodbot_options *options);
 
-// Sets the robot's options. The training data stay; a session under way ends unlearned. `NUMBER` if one is out of range: the options are
-// then unchanged.
+// Sets the robot's options. The training data stay; a session under way ends unlearned; one that joins the others already goes on first
+// (`STILL_FINISHING`). `NUMBER` if one is out of range: the options are then unchanged.
 //
 // The caller sees to it:
 // `robot` is null or a handle, `options` null or points to them.

@@ -201,7 +201,8 @@ pub unsafe extern "C" fn goodbot_home_build(robot: *mut Goodbot) -> GoodbotStatu
 
 /// Sets whether words may mean derived facts, as well as colours and shapes: the `leftmost`, `rightmost`, `topmost`, `bottommost`,
 /// `largest` or `smallest` room, the `nearest` or `farthest` room or block. It holds for this home, once it is built; the next home begins
-/// without. A session under way ends unlearned. One model can have lessons with derived facts and lessons without.
+/// without. A session under way ends unlearned; one that joins the others already goes on first (`STILL_FINISHING`). One model can have
+/// lessons with derived facts and lessons without.
 ///
 /// # Safety
 /// `robot` is null or a handle.

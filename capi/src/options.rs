@@ -84,8 +84,8 @@ pub unsafe extern "C" fn goodbot_current_options(robot: *const Goodbot, options:
     }
 }
 
-/// Sets the robot's options. The training data stay; a session under way ends unlearned. `NUMBER` if one is out of range: the options are
-/// then unchanged.
+/// Sets the robot's options. The training data stay; a session under way ends unlearned; one that joins the others already goes on first
+/// (`STILL_FINISHING`). `NUMBER` if one is out of range: the options are then unchanged.
 ///
 /// # Safety
 /// `robot` is null or a handle, `options` null or points to them.

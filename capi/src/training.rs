@@ -65,10 +65,10 @@ pub const GOODBOT_EVIDENCE_UNINFORMATIVE: u32 = 1;
 /// It is impossible whatever the task and the trainer, and was ignored.
 pub const GOODBOT_EVIDENCE_IMPOSSIBLE: u32 = 2;
 
-/// Sets how the trainer rewards and punishes: the probability of silence after a right action and after a wrong one, and of taking one
-/// for the other. Without this the robot expects a trainer who uses both words (0.7, 0.7 and 0.1), praise alone (0.05, 0.7 and 0.1) or blame
+/// Sets how the trainer rewards and punishes: the probability of silence after a right action and after a wrong one, and of taking one for
+/// the other. Without this the robot expects a trainer who uses both words (0.7, 0.7 and 0.1), praise alone (0.05, 0.7 and 0.1) or blame
 /// alone (0.7, 0.05 and 0.1), and finds out which; with fewer than 3 `STRATEGIES`, or fewer `BELIEFS` than 3 times `TASKS`, as in the tiny
-/// preset, only the first. A session under way ends unlearned.
+/// preset, only the first. A session under way ends unlearned; one that joins the others already goes on first (`STILL_FINISHING`).
 ///
 /// # Safety
 /// `robot` is null or a handle.
@@ -115,9 +115,9 @@ pub struct GoodbotStrategy {
 /// Most strategies of `goodbot_trainers`; the capacity `STRATEGIES` may allow fewer.
 pub const GOODBOT_MOST_STRATEGIES: usize = 16;
 
-/// Sets the `count` strategies that the trainer may have; the robot finds out which. A session under way ends unlearned. `FULL` if they are
-/// more than the capacity `STRATEGIES`, `NUMBER` if there are none, a number is out of range, or all priors are 0; the strategies are then
-/// unchanged.
+/// Sets the `count` strategies that the trainer may have; the robot finds out which. A session under way ends unlearned; one that joins the
+/// others already goes on first (`STILL_FINISHING`). `FULL` if they are more than the capacity `STRATEGIES`, `NUMBER` if there are none, a
+/// number is out of range, or all priors are 0; the strategies are then unchanged.
 ///
 /// # Safety
 /// `robot` is null or a handle, `strategies` null or points to `count` of them.
