@@ -20,6 +20,8 @@ const MICROBIT: &[u8] = b":020000040000FA";
 const PARAMETERS: &[u8] = &goodbot::snapshot::PARAMETERS_MAGIC;
 /// The beginning of a C file with parameters.
 pub const PARAMETERS_IN_C: &str = "static const unsigned char parameters[]";
+/// The first bytes of a file of weights.
+const WEIGHTS: &[u8] = b"acts";
 /// The mark must be in the first bytes of a file, at most this many.
 const HEAD: u64 = 4_096;
 
@@ -39,6 +41,8 @@ pub enum Kind {
     Microbit,
     /// A file of parameters.
     Parameters,
+    /// A file of weights that decide whether a robot acts on what was said.
+    Weights,
 }
 
 impl Kind {
@@ -49,6 +53,7 @@ impl Kind {
             Self::Page => "page",
             Self::Microbit => "micro:bit's file",
             Self::Parameters => "file of parameters",
+            Self::Weights => "file of weights",
         }
     }
 
@@ -68,6 +73,7 @@ impl Kind {
                 Self::Model => head.starts_with(MODEL),
                 Self::Microbit => head.starts_with(MICROBIT),
                 Self::Parameters => head.starts_with(PARAMETERS) || head.starts_with(PARAMETERS_IN_C.as_bytes()),
+                Self::Weights => head.starts_with(WEIGHTS),
                 Self::Picture => String::from_utf8_lossy(&head).contains(MARK),
                 Self::Page => String::from_utf8_lossy(&head).contains(PAGE_MARK),
             }
@@ -164,7 +170,7 @@ impl Output {
     pub fn write(&self, bytes: &[u8]) -> Result<(), Failure> {
         let marked;
         let bytes = match self.kind {
-            Kind::Model | Kind::Microbit | Kind::Parameters => bytes,
+            Kind::Model | Kind::Microbit | Kind::Parameters | Kind::Weights => bytes,
             Kind::Page => {
                 marked = [PAGE_MARK, "\n", &printable(&String::from_utf8_lossy(bytes))].concat();
                 marked.as_bytes()

@@ -437,6 +437,10 @@ fn what_decides_whether_to_act_can_be_trained_anew_and_damaged_weights_are_refus
     let trained = folder.path().join("new.acts").to_str().expect("a name").to_owned();
     let run = goodbot(&["acts", &sets, "--weights", &trained], b"");
     assert_eq!(run.code, 0, "{}", run.messages);
+    for (file, reason) in [(&sets, "is read here, and would be replaced"), (&model, "is no file of weights")] {
+        let refused = goodbot(&["acts", &sets, "--weights", file], b"");
+        assert!(refused.code != 0 && refused.messages.contains(reason), "{}", refused.messages);
+    }
     let verdict = |weights: &str| {
         let answers = asked_with(&["--acts", weights], &model, &three_rooms(), &["go to the blue room".to_owned()]);
         answers[0]["verdict"].as_str().expect("a verdict").to_owned()

@@ -13,7 +13,7 @@ use fit::{Example, Fitted, Prices};
 use goodbot::talk::{ACTS_FROM, CLUES, HASHED, KINDS, Trained, Weights, clue_name};
 use goodbot_console::messages::bar;
 use goodbot_console::outcome::Failure;
-use goodbot_console::output;
+use goodbot_console::output::{self, Kind, Output};
 use rayon::prelude::*;
 use readings::{Did, Read, Said};
 use serde_json::json;
@@ -53,6 +53,9 @@ pub struct ActsOptions {
     /// Write the weights, for the library and for --acts of `goodbot ask`
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     weights: Option<PathBuf>,
+    /// Replace a file that has no weights
+    #[arg(long, requires = "weights")]
+    force: bool,
     /// Print the weights, the largest first
     #[arg(long)]
     explain: bool,
@@ -91,13 +94,14 @@ struct Figures {
 /// # Errors
 /// [`Failure`].
 pub fn run(options: &ActsOptions) -> Result<(), Failure> {
+    let target = options.weights.as_ref().map(|file| Output::new(Kind::Weights, file, [&options.sets], options.force)).transpose()?;
     let sets = sets::read(&options.sets)?;
     let progress = bar(sets.len(), "reading sentences");
     let read = |set| readings::of(set).inspect(|_| progress.inc(1));
     let said: Vec<Said> = sets.par_iter().map(read).collect::<Result<Vec<_>, _>>()?.into_iter().flatten().collect();
     progress.finish_and_clear();
     let prices = Prices { square: options.price, most: options.most };
-    let mut out = output::text(&[])?;
+    let mut out = output::text(&[target.as_ref()])?;
     let mut authors: Vec<&str> = said.iter().map(|said| said.author.as_str()).filter(|author| !author.starts_with(FOR_TRAINING)).collect();
     authors.sort_unstable();
     authors.dedup();
@@ -169,11 +173,11 @@ pub fn run(options: &ActsOptions) -> Result<(), Failure> {
     if options.explain {
         explain(&mut out, &said, &fitted)?;
     }
-    if let Some(file) = &options.weights {
+    if let Some(target) = target {
         let bytes = bytes(&fitted);
-        Weights::new(&bytes).map_err(|error| Failure::Input(format!("{}: {error}; try a smaller --most", file.display())))?;
-        std::fs::write(file, bytes).map_err(|error| Failure::Input(format!("{}: {error}", file.display())))?;
-        writeln!(out, "weights of {} clues and {} words in {}", fitted.clues.len(), fitted.words.len(), file.display())?;
+        Weights::new(&bytes).map_err(|error| Failure::Input(format!("{}: {error}; try a smaller --most", target.name())))?;
+        target.write(&bytes)?;
+        writeln!(out, "weights of {} clues and {} words in {}", fitted.clues.len(), fitted.words.len(), target.name())?;
     }
     Ok(out.flush()?)
 }
