@@ -266,6 +266,9 @@ pub fn tick(run: &Run) -> Result<()> {
             ensure!(longest <= most, "{name}: one call to {call} took more than {most} instructions");
         }
         ensure!(missed == 0, "{name}: {missed} ticks were missed");
+        // The course alone fills the smallest board's memory.
+        let (stops, has_room) = (number("stops")?, trial.image.board.preset != "tiny");
+        ensure!((stops > 0) == has_room, "{name}: the robot was stopped {stops} times");
     }
     let with_full_tables = run_alone(&full()?)?;
     println!("with full tables, the longest calls:");

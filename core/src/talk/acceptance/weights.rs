@@ -29,7 +29,7 @@ pub const SENSES: usize = 256;
 pub(super) const BLOCKS: usize = 2048;
 /// Where a block begins is counted from the beginning of its group, because counts take half the bytes of such places.
 const GROUP: usize = 16;
-pub(super) const GROUPS: usize = BLOCKS / GROUP;
+const GROUPS: usize = BLOCKS / GROUP;
 
 const MAGIC: &[u8; 4] = b"acts";
 /// The version of the layout.
