@@ -23,7 +23,7 @@ export function newSession(command, { intended = null, looking = false, recorded
   const task = state.belief.tasks.findIndex(task => task.name === intended);
   return {
     command, intended: task < 0 ? null : task, looking, recorded, heard: [], decided: null, feedback: null, rests: 0, steps: 0, delay: 0, since: 0,
-    committed: null, began: performance.now(), times: [], pace: 'going', wake: null, soon: 0, said: 0, heardNew: [], question: null, asked: 0, answers: 0, picked: '', affirmed: false, took: null, onHeard: null, onEnd: null,
+    committed: null, began: performance.now(), times: [], pace: 'going', wake: null, soon: 0, said: 0, heardNew: [], question: null, asked: 0, answers: 0, picked: '', affirmed: false, took: null, onHeard: null, tourAfter: undefined, onEnd: null,
   };
 }
 

@@ -40,6 +40,7 @@
  * @property {boolean} affirmed whether the trainer has said that this was it
  * @property {Ranked | null} took the most likely task in the end
  * @property {(() => void) | null} onHeard called when the robot has decided what the command means
+ * @property {(() => import('./store.js').Tour) | undefined} tourAfter the tour's progress when it has ended, kept together with what it taught
  * @property {(() => void) | null} onEnd called after its end
  */
 

@@ -162,10 +162,12 @@ async function catchUp() {
 export const othersTaught = () => shelf.alone(state.robot.id, catchUp);
 
 /** Changes the robot's model, on top of the lessons from other tabs: `work(stale)` is told whether there were any, and returns the lines to add
- * to the log. `what` names the change for undo.
+ * to the log. `what` names the change for undo. `tour` is the tour's progress after it: model and progress are kept at once, so that a page that is
+ * closed right then has both or neither.
  * @param {string} what
- * @param {(stale: boolean) => Promise<string>} work */
-export async function change(what, work) {
+ * @param {(stale: boolean) => Promise<string>} work
+ * @param {() => Tour} tour */
+export async function change(what, work, tour = tourNow) {
   const { robot } = state;
   await shelf.alone(robot.id, async () => {
     const stale = await catchUp();
@@ -175,7 +177,7 @@ export async function change(what, work) {
     robot.future = [];
     robot.model = toBase64(world.save());
     robot.sessions = state.sessions = world.sessions();
-    robot.tour = tourNow();
+    robot.tour = tour();
     robot.ways = world.ways();
     robot.deleted = 0;
     writeLog(robot, logOf(robot) + lines);

@@ -9,7 +9,7 @@ import { refresh, stopSession } from './session.js';
 import { sound } from './sound.js';
 import { $, all, announce, make, render, state, tell } from './state.js';
 import { commandOf, count, enterStop, inOwnWords, lengthOfCourse, rightTests, stopAt, stops } from './stops.js';
-import { keepTour, logOf, patch } from './store.js';
+import { keepTour, logOf, patch, tourNow } from './store.js';
 import { MOMENT, endWalk, leaveSession, mayCelebrate, moment, startSession } from './training.js';
 import { quoted, spaced, taskWords, understands, unspaced } from './words.js';
 import { renderWordShelf } from './wordshelf.js';
@@ -76,7 +76,18 @@ const wentAstray = (stop, { intended, took, affirmed }) => !stop.test && intende
 
 /** Lets the tour go on when this session ends. */
 export function attend(session) {
+  session.tourAfter = () => tourAfter(session);
   session.onEnd = () => passStop(understands(session.heard[0], stopAt()?.intended), session);
+}
+
+// The tour's progress when this session has ended.
+function tourAfter(session) {
+  const stop = stopAt();
+  const tour = tourNow();
+  const understood = understands(session.heard[0], stop.intended);
+  tour.done[tour.at] = wentAstray(stop, session) ? 'astray' : understood && (stop.test || hasStar(session)) ? 'right' : 'wrong';
+  tour.at += 1;
+  return tour;
 }
 
 // Keeps what a test has shown, for the table.
@@ -96,14 +107,14 @@ const isSuccess = (stop, session) => !stop.test && session.took?.name === stop.i
 async function passStop(understood, session) {
   const stop = stopAt();
   const astray = wentAstray(stop, session);
-  state.tour.done[state.tour.at] = astray ? 'astray' : understood && (stop.test || hasStar(session)) ? 'right' : 'wrong';
+  const { at, done } = tourAfter(session);
   const { said } = state;
   if (stop.test) noteTest(stop, session, understood);
   if (stop.test && understood) sound('goal');
   if (stops()[state.tour.at + 1]?.test) goOnUntilSure();
   const verdict = astray ? t('tour.astray', { name: nameOf(state.tour.at), command: unspaced(session.command), task: session.took.words }) : verdictOf(stop, session);
   const told = [stop.test ? null : said, verdict, astray, astray || (stop.test && !understood)];
-  state.tour.at += 1;
+  Object.assign(state.tour, { at, done });
   keepTour();
   const glad = isSuccess(stop, session) && mayCelebrate();
   if (glad) {

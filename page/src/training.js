@@ -460,7 +460,7 @@ export async function finishSession() {
       robot.seeds = Object.assign([...(robot.seeds || [])], { [world.sessions() - 1]: state.settings.seed });
       robot.meant = Object.assign([...(robot.meant || [])], { [world.sessions() - 1]: state.mode === 'tour' ? stopAt()?.intended ?? '' : '' });
       return own;
-    });
+    }, session.tourAfter);
   } catch (error) {
     tell(t('session.failed', { why: error.message }), true);
   }

@@ -229,6 +229,24 @@ test('the tour of the paper is one tap away, and so is the way back; a robot tha
   await close(page);
 });
 
+test('what a lesson taught and how far the tour has come are kept at once, so that a page closed in between loses neither', async () => {
+  const page = await openFirst(browser);
+  await page.evaluate(() => {
+    window.written = [];
+    const put = Storage.prototype.setItem;
+    Storage.prototype.setItem = function(key, value) {
+      if (key.startsWith('goodbot.robot.')) window.written.push(JSON.parse(value));
+      put.call(this, key, value);
+    };
+  });
+  await page.click('#lesson');
+  await page.getByText('Good or Bad?').waitFor();
+  await page.click('#finish');
+  await page.waitForFunction(() => window.written.some(({ sessions }) => sessions === 1));
+  assert.deepEqual(await page.evaluate(() => window.written.filter(({ sessions, tour }) => sessions !== tour.done.length || sessions !== tour.at)), []);
+  await close(page);
+});
+
 test('who gets the link finds out the words, gets a time, and invents a language in answer', async () => {
   const page = await openFirst(browser);
   await visit(page, ['fimo ka tu', 'sabbel', 'wor lun']);
