@@ -4,6 +4,7 @@
 //! referred to needs no name.
 
 use super::conversation::{Before, Fact};
+use super::repair::Shape;
 use super::words::{Words, learned};
 use crate::oomdp::Domain;
 use crate::task::grounded::is_thing;
@@ -50,6 +51,8 @@ pub(super) struct Recalled<'c> {
     before: Before<'c>,
     thing: Thing,
     place: Place,
+    /// Whether only a task of the last one's kind fits.
+    is_of_last_kind: bool,
 }
 
 /// The classes of words that refer to earlier sentences, or to the present place.
@@ -73,7 +76,7 @@ impl Recalled<'_> {
 
     /// Whether only a task of the last one's kind fits.
     pub const fn is_of_last_kind(&self) -> bool {
-        matches!(self.thing, Thing::Other | Thing::Named)
+        self.is_of_last_kind
     }
 
     /// The factor for words that a command would have and that are missing here. `is_way`: whether a word of direction remains.
@@ -93,13 +96,15 @@ impl Recalled<'_> {
         let is_about_thing = is_thing(&world, subject);
         let Before::Known(conversation) = self.before else { return is_about_thing || self.thing == Thing::Free };
         let holds = |fact, object| conversation.holds(domain, fact, object);
-        let is_like_last = conversation.last().is_some_and(|last| last.lifted == task.lifted);
+        if self.is_of_last_kind && conversation.last().is_none_or(|last| last.lifted != task.lifted) {
+            return false;
+        }
         let is_the_thing = match self.thing {
             Thing::Free => true,
             Thing::Last => is_about_thing && holds(Fact::MovedLast, subject),
-            Thing::Other if is_about_thing => is_like_last && holds(Fact::OtherOfItsKind, subject),
-            Thing::Other => is_like_last && !holds(Fact::NamedLast, place),
-            Thing::Named => is_like_last && is_about_thing && !holds(Fact::MovedLast, subject),
+            Thing::Other if is_about_thing => holds(Fact::OtherOfItsKind, subject),
+            Thing::Other => !holds(Fact::NamedLast, place),
+            Thing::Named => is_about_thing && !holds(Fact::MovedLast, subject),
         };
         let is_the_place = match self.place {
             Place::Free | Place::Here => true,
@@ -156,5 +161,19 @@ pub(super) fn readings<'c>(words: Words<'_>, before: Before<'c>) -> impl Iterato
     } else {
         &[(Place::Free, 1.0)]
     };
-    places.iter().map(move |&(place, share)| (Recalled { before, thing, place }, share))
+    let is_of_last_kind = matches!(thing, Thing::Other | Thing::Named);
+    places.iter().map(move |&(place, share)| (Recalled { before, thing, place, is_of_last_kind }, share))
+}
+
+/// What words that amend the last task leave as it was: "no, the yellow one" after it is done. `None` if they amend none, as those of another
+/// repair.
+pub(super) fn amended(before: Before<'_>, shape: Shape) -> Option<Recalled<'_>> {
+    let (thing, place) = match shape {
+        Shape::LastPlace => (Thing::Last, Place::Free),
+        Shape::LastThing => (Thing::Named, Place::Named),
+        Shape::LastNames => (Thing::Free, Place::Free),
+        _ => return None,
+    };
+    let is_done = matches!(before, Before::Known(conversation) if conversation.last().is_some_and(|last| !last.is_negated()));
+    is_done.then_some(Recalled { before, thing, place, is_of_last_kind: true })
 }

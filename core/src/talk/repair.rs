@@ -3,10 +3,14 @@
 //! A repair has three parts (Shriberg 1994, *Preliminaries to a theory of speech disfluencies*): the reparandum, which is taken back ("the
 //! bag"), the interregnum ("no"), and the repair ("the basket"). No list has all words between the two, such as "I tell a lie", so each name
 //! that follows another one may repair it, and the [acceptance](super::acceptance) decides by the words between them.
+//!
+//! The reparandum may also be the last task, after it is done: "no, the yellow one". The words then name what is to be changed in it, and all
+//! the others are the interregnum.
 
 use super::context::{Context, View};
 use super::explained::Explained;
 use super::hypothesis::Judged;
+use super::recalled::amended;
 use super::verdict::Choice;
 use super::words::Words;
 use crate::memory::AgentMemory;
@@ -18,9 +22,12 @@ use heapless::Vec;
 
 /// The prior of a repair.
 const REPAIR: f32 = 0.02;
+/// The factor on the prior of words that amend the last task. They lack what to do, and a thing or a place, each of which a command would
+/// have.
+const OF_LAST: f32 = 100.0;
 /// The most names of an utterance that are looked at, and the most repairs that are weighed.
 const NAMES: usize = 6;
-pub(super) const WEIGHED: usize = 3;
+pub(super) const WEIGHED: usize = 4;
 
 /// What a repair takes back.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -33,6 +40,21 @@ pub(super) enum Shape {
     Earlier,
     /// All before it: "take the bag to the red room, no, go to the blue room".
     All,
+    /// The place of the last task, its thing, or all that it named.
+    LastPlace,
+    LastThing,
+    LastNames,
+}
+
+impl Shape {
+    /// The shapes that take something of an utterance back, and those that take something of the last task back.
+    const OF_UTTERANCE: [Self; 4] = [Self::Name, Self::Clause, Self::Earlier, Self::All];
+    const OF_LAST: [Self; 3] = [Self::LastPlace, Self::LastThing, Self::LastNames];
+
+    /// Whether it takes something of the last task back.
+    pub const fn is_of_last(self) -> bool {
+        matches!(self, Self::LastPlace | Self::LastThing | Self::LastNames)
+    }
 }
 
 /// A repair: the words that stand, and those of the interregnum.
@@ -101,21 +123,20 @@ impl<M: AgentMemory> Agent<M> {
         context: Context<'_>,
     ) -> Result<Vec<Repaired<'w>, WEIGHED>, AgentError> {
         let (names, mut best) = (names(words), Vec::<Repaired<'w>, WEIGHED>::new());
-        for by in 1..names.len() {
+        for by in 0..names.len() {
             for first in 0..by {
-                for shape in [Shape::Name, Shape::Clause, Shape::Earlier, Shape::All] {
+                for shape in Shape::OF_UTTERANCE {
                     let Some(repair) = repair(words, &names, first, by, shape) else { continue };
-                    let repaired = self.repaired(domain, words, repair, explained, context)?;
-                    let same = best.iter().position(|other| other.judged.task == repaired.judged.task);
-                    let least = (0..best.len()).reduce(|one, other| {
-                        let weight = |at: usize| best.get(at).map_or(Scaled::ZERO, |it| it.weight);
-                        if weight(one).exceeds(weight(other)) { other } else { one }
-                    });
-                    match same.or(least.filter(|_| best.is_full())).and_then(|at| best.get_mut(at)) {
-                        Some(other) if repaired.weight.exceeds(other.weight) => *other = repaired,
-                        Some(_) => {}
-                        None => drop(best.push(repaired)),
-                    }
+                    keep(&mut best, self.repaired(domain, words, repair, explained, context)?);
+                }
+            }
+            let is_outer = by == 0 || by == names.len().saturating_sub(1);
+            for shape in Shape::OF_LAST.into_iter().filter(|_| is_outer && !context.earlier.is_rest) {
+                let (Some(name), Some(_)) = (names.get(by), amended(context.earlier.before, shape)) else { continue };
+                let repair = Repair { words: words.from(name.start), between: words.only(|word| !word.is_name), shape };
+                let repaired = self.repaired(domain, words, repair, explained, context)?;
+                if !repaired.weight.is_zero() {
+                    keep(&mut best, repaired);
                 }
             }
         }
@@ -132,11 +153,43 @@ impl<M: AgentMemory> Agent<M> {
         context: Context<'_>,
     ) -> Result<Repaired<'w>, AgentError> {
         let Repair { words: stands, between, shape } = repair;
-        self.explain_all(domain, stands, View::PLAIN, context, explained)?;
+        self.explain_repaired(domain, stands, shape, explained, context)?;
         let taken_back = words.without(stands);
-        let weight = taken_back.iter().fold(explained.here.scaled_by(REPAIR), |weight, word| weight.scaled_by(word.without_task));
+        let prior = if amended(context.earlier.before, shape).is_some() { REPAIR * OF_LAST } else { REPAIR };
+        let weight = taken_back.iter().fold(explained.here.scaled_by(prior), |weight, word| weight.scaled_by(word.without_task));
         let judged = self.judge_command(Judged::likely(super::Hypothesis::Command, stands, 1.0, 1.0), Choice::Likeliest, explained);
-        Ok(Repaired { judged, between, shape, weight })
+        Ok(Repaired { judged: Judged { words: stands, ..judged }, between, shape, weight })
+    }
+
+    /// How well the tasks explain the words of a repair that stand; those that amend the last task need no act word.
+    pub(super) fn explain_repaired<D: Domain>(
+        &mut self,
+        domain: &D,
+        stands: Words<'_>,
+        shape: Shape,
+        explained: &mut Explained,
+        context: Context<'_>,
+    ) -> Result<(), AgentError> {
+        let Some(recalled) = amended(context.earlier.before, shape) else {
+            return self.explain_all(domain, stands, View::PLAIN, context, explained);
+        };
+        self.explain_words(domain, stands, View { has_act: true, ..View::PLAIN }, context, Some(recalled), explained)?;
+        explained.points_back = true;
+        Ok(())
+    }
+}
+
+/// Keeps the most probable repairs, one for each task.
+fn keep<'w>(best: &mut Vec<Repaired<'w>, WEIGHED>, repaired: Repaired<'w>) {
+    let same = best.iter().position(|other| other.judged.task == repaired.judged.task);
+    let least = (0..best.len()).reduce(|one, other| {
+        let weight = |at: usize| best.get(at).map_or(Scaled::ZERO, |it| it.weight);
+        if weight(one).exceeds(weight(other)) { other } else { one }
+    });
+    match same.or(least.filter(|_| best.is_full())).and_then(|at| best.get_mut(at)) {
+        Some(other) if repaired.weight.exceeds(other.weight) => *other = repaired,
+        Some(_) => {}
+        None => drop(best.push(repaired)),
     }
 }
 

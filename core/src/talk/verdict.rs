@@ -7,7 +7,7 @@ use super::explained::Explained;
 use super::heard::Heard;
 use super::hypothesis::{Hypothesis, Judged, likeliest};
 use super::readings::{GATHERED, GATHERINGS, Gathering, Name, WithoutCues, all, gatherings, has_negation, is_of_several, negated};
-use super::repair::WEIGHED;
+use super::repair::{Shape, WEIGHED};
 use super::several::Parting;
 use super::syntax::{has_new_name, is_question};
 use super::words::Words;
@@ -119,8 +119,8 @@ struct Candidate<'w> {
     choice: Choice,
     /// Of a command about all things that no known cue tells, what tells it, with the name that does.
     gathering: Option<(Gathering, Name)>,
-    /// Of a repair, which one.
-    repair: Option<u8>,
+    /// Of a repair, which one, and what it takes back.
+    repair: Option<(u8, Shape)>,
 }
 
 /// A reading while it is compared with others.
@@ -205,7 +205,7 @@ impl<M: AgentMemory> Agent<M> {
         };
         for (at, repair) in (0..).zip(&repairs) {
             let share = repair.weight.over(whole.plus(repair.weight));
-            weigh(Candidate { words: repair.judged.words, repair: Some(at), ..plain(Hypothesis::Command, share) });
+            weigh(Candidate { words: repair.judged.words, repair: Some((at, repair.shape)), ..plain(Hypothesis::Command, share) });
         }
         for &gathering in &gatherings {
             // Its share is known when its words are explained.
@@ -219,7 +219,7 @@ impl<M: AgentMemory> Agent<M> {
         }
         let mut meanings: Vec<Meaning<'w, '_>, MEANINGS> = Vec::new();
         for candidate in &candidates {
-            let repair = candidate.repair.and_then(|at| repairs.get(usize::from(at)));
+            let repair = candidate.repair.and_then(|(at, _)| repairs.get(usize::from(at)));
             let &Candidate { hypothesis, mut share, is_turned, gathering, .. } = candidate;
             let parting = parting_of(*candidate).filter(|_| hypothesis == Hypothesis::Several);
             let is_other = |other| repair.is_some() || gathering.is_some() || other != hypothesis;
@@ -269,7 +269,7 @@ impl<M: AgentMemory> Agent<M> {
                 tasks: judged.tasks.iter().count(),
                 is_done: if judged.is_negated { judged.tasks.common(done).is_empty() } else { judged.tasks.without(done).is_empty() },
                 is_asked: words.is_asked,
-                points_back: explained.points_back,
+                points_back: explained.points_back || repair.is_some_and(|repair| repair.shape.is_of_last()),
                 is_rest: context.earlier.is_rest,
                 is_turned: candidate.is_turned,
                 lessons: self.language().bitext().sessions(),
@@ -339,6 +339,13 @@ impl<M: AgentMemory> Agent<M> {
         if let Some((gathering, name)) = gathering {
             let likely = Judged::likely(hypothesis, words, probability, command);
             return Ok((self.judge_all(domain, likely, gathering.read(words, name), explained, context)?, None));
+        }
+        if let Some((_, shape)) = candidate.repair {
+            self.explain_repaired(domain, words, shape, explained, context)?;
+            let judged = self.judge_command(Judged::likely(hypothesis, words, probability, command), candidate.choice, explained);
+            // What amends the last task is no command, so it is not learned as one.
+            let words = if shape.is_of_last() { Words::NONE } else { judged.words };
+            return Ok((Judged { words, ..judged }, None));
         }
         let (Hypothesis::Several, Some(parting)) = (hypothesis, parting) else {
             self.explain_all(domain, words, View::PLAIN, context, explained)?;

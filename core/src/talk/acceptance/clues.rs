@@ -55,8 +55,11 @@ const BETWEEN: usize = STEPS_OF + NUMBERS * STEPS;
 /// The value of a feature of a step, of which many hold at once.
 const ONE_OF_MANY: f32 = 0.5;
 
+/// What a repair of the last task changes in it.
+const OF_LAST: usize = BETWEEN + SORTS;
+
 /// The number of features, each of which counts for all readings, and again for each [kind](kind) of reading.
-const FEATURES: usize = BETWEEN + SORTS;
+const FEATURES: usize = OF_LAST + 3;
 /// The number of clues.
 pub const CLUES: usize = FEATURES * (KINDS + 1);
 
@@ -293,7 +296,8 @@ impl Clues<'_> {
             mark(FIRST + rival(first), true);
         }
         if let Some(shape) = self.repair {
-            mark(FIRST + shape as usize, true);
+            let feature = if shape.is_of_last() { OF_LAST + shape as usize - Shape::LastPlace as usize } else { FIRST + shape as usize };
+            mark(feature, true);
         }
         if let Some(gathering) = self.gathering {
             mark(GATHERING + gathering as usize, true);
@@ -355,6 +359,7 @@ pub fn clue_name(clue: u16) -> [&'static str; 4] {
         KIND => ["", "always"],
         TURNED => ["", "the second is first"],
         _ if feature < STEPS_OF => ["the first is", name(&OTHERS, feature - FIRST)],
+        _ if feature >= OF_LAST => ["of the last task", name(&["the place", "the thing", "all that is named"], feature - OF_LAST)],
         _ if feature >= BETWEEN => ["between", sort_name(feature - BETWEEN)],
         _ => {
             let (number, step) = ((feature - STEPS_OF) / STEPS, (feature - STEPS_OF) % STEPS);
