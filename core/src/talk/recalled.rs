@@ -43,6 +43,10 @@ enum Thing {
     Other,
     /// Any but the thing of the last task, for the same kind of task.
     Named,
+    /// As in the last task: its thing, or the robot itself.
+    Same,
+    /// The robot itself.
+    Robot,
 }
 
 /// The restriction on tasks by the words that refer.
@@ -61,7 +65,7 @@ const CUES: [Class; 6] = [Class::It, Class::There, Class::Back, Class::Other, Cl
 impl Recalled<'_> {
     /// Whether the thing of a task needs no name.
     pub const fn has_thing(&self) -> bool {
-        matches!(self.thing, Thing::Last | Thing::Other)
+        matches!(self.thing, Thing::Last | Thing::Other | Thing::Same)
     }
 
     /// Whether the place of a task needs no name.
@@ -105,6 +109,8 @@ impl Recalled<'_> {
             Thing::Other if is_about_thing => holds(Fact::OtherOfItsKind, subject),
             Thing::Other => !holds(Fact::NamedLast, place),
             Thing::Named => is_about_thing && !holds(Fact::MovedLast, subject),
+            Thing::Same => !is_about_thing || holds(Fact::MovedLast, subject),
+            Thing::Robot => !is_about_thing,
         };
         let is_the_place = match self.place {
             Place::Free | Place::Here => true,
@@ -165,15 +171,19 @@ pub(super) fn readings<'c>(words: Words<'_>, before: Before<'c>) -> impl Iterato
     places.iter().map(move |&(place, share)| (Recalled { before, thing, place, is_of_last_kind }, share))
 }
 
-/// What words that amend the last task leave as it was: "no, the yellow one" after it is done. `None` if they amend none, as those of another
-/// repair.
-pub(super) fn amended(before: Before<'_>, shape: Shape) -> Option<Recalled<'_>> {
+/// The tasks that words about the last task can mean, by the shape of the repair that they make: "no, the yellow one", "put it back". `None`
+/// if the shape is that of another repair, or nothing was done.
+pub(super) fn of_last(before: Before<'_>, shape: Shape) -> Option<Recalled<'_>> {
     let (thing, place) = match shape {
-        Shape::LastPlace => (Thing::Last, Place::Free),
+        Shape::LastPlace => (Thing::Same, Place::Free),
         Shape::LastThing => (Thing::Named, Place::Named),
         Shape::LastNames => (Thing::Free, Place::Free),
-        _ => return None,
+        Shape::Back => (Thing::Same, Place::Was),
+        Shape::OtherThing => (Thing::Other, Place::Named),
+        Shape::RobotToo => (Thing::Robot, Place::Named),
+        Shape::NotThere => (Thing::Same, Place::Named),
+        Shape::Name | Shape::Clause | Shape::Earlier | Shape::All => return None,
     };
     let is_done = matches!(before, Before::Known(conversation) if conversation.last().is_some_and(|last| !last.is_negated()));
-    is_done.then_some(Recalled { before, thing, place, is_of_last_kind: true })
+    is_done.then_some(Recalled { before, thing, place, is_of_last_kind: shape != Shape::RobotToo })
 }

@@ -5,29 +5,32 @@
 //! that follows another one may repair it, and the [acceptance](super::acceptance) decides by the words between them.
 //!
 //! The reparandum may also be the last task, after it is done: "no, the yellow one". The words then name what is to be changed in it, and all
-//! the others are the interregnum.
+//! the others are the interregnum. Where they name nothing, as in "undo that", they still tell whether the last task is to be taken back,
+//! forbidden, or repeated with another thing.
 
+use super::acceptance::BETWEEN;
 use super::context::{Context, View};
 use super::explained::Explained;
 use super::hypothesis::Judged;
-use super::recalled::amended;
+use super::recalled::of_last;
 use super::verdict::Choice;
 use super::words::Words;
 use crate::memory::AgentMemory;
 use crate::oomdp::Domain;
-use crate::probability::Scaled;
+use crate::probability::{Scaled, total};
 use crate::session::{Agent, AgentError};
+use crate::task::TaskSet;
 use core::ops::Range;
 use heapless::Vec;
 
 /// The prior of a repair.
 const REPAIR: f32 = 0.02;
-/// The factor on the prior of words that amend the last task. They lack what to do, and a thing or a place, each of which a command would
-/// have.
+/// The factor on the prior of words about the last task. They lack what to do, and a thing or a place, each of which a command would have.
 const OF_LAST: f32 = 100.0;
-/// The most names of an utterance that are looked at, and the most repairs that are weighed.
+/// The most names of an utterance that are looked at, and the most repairs that are weighed: those by a name, and those without.
 const NAMES: usize = 6;
-pub(super) const WEIGHED: usize = 4;
+const BY_NAME: usize = 4;
+pub(super) const WEIGHED: usize = BY_NAME + Shape::WITHOUT_NAME.len();
 
 /// What a repair takes back.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -40,20 +43,46 @@ pub(super) enum Shape {
     Earlier,
     /// All before it: "take the bag to the red room, no, go to the blue room".
     All,
-    /// The place of the last task, its thing, or all that it named.
+    /// The place of the last task: "no, to the yellow one".
     LastPlace,
+    /// Its thing: "no, the basket".
     LastThing,
+    /// All that it named: "I said the basket to the red room".
     LastNames,
+    /// The last task: all shall be as it was.
+    Back,
+    /// Its thing: another of its kind shall be there.
+    OtherThing,
+    /// Its thing: the robot shall be there.
+    RobotToo,
+    /// The last task, which is forbidden.
+    NotThere,
 }
 
 impl Shape {
-    /// The shapes that take something of an utterance back, and those that take something of the last task back.
+    /// The shapes that take something of the utterance back.
     const OF_UTTERANCE: [Self; 4] = [Self::Name, Self::Clause, Self::Earlier, Self::All];
+    /// Those that name what is to be changed in the last task.
     const OF_LAST: [Self; 3] = [Self::LastPlace, Self::LastThing, Self::LastNames];
+    /// Those that change it, and need no name.
+    const WITHOUT_NAME: [Self; 4] = [Self::Back, Self::OtherThing, Self::RobotToo, Self::NotThere];
+    /// How many take something of the last task back.
+    pub const CHANGES: usize = Self::OF_LAST.len() + Self::WITHOUT_NAME.len();
 
-    /// Whether it takes something of the last task back.
-    pub const fn is_of_last(self) -> bool {
-        matches!(self, Self::LastPlace | Self::LastThing | Self::LastNames)
+    /// What it changes in the last task, below [`CHANGES`](Self::CHANGES), if it does.
+    pub const fn change(self) -> Option<usize> {
+        (self as usize).checked_sub(Self::OF_UTTERANCE.len())
+    }
+
+    /// What stands before the words that tell it, for the [acceptance](super::acceptance).
+    pub const fn sign(self) -> &'static str {
+        match self {
+            Self::Back => "/",
+            Self::OtherThing => "=",
+            Self::RobotToo => ">",
+            Self::NotThere => "!",
+            _ => BETWEEN,
+        }
     }
 }
 
@@ -130,15 +159,21 @@ impl<M: AgentMemory> Agent<M> {
                     keep(&mut best, self.repaired(domain, words, repair, explained, context)?);
                 }
             }
+            // Of several names, what is meant begins with the first or is the last: "not the red one, the green one".
             let is_outer = by == 0 || by == names.len().saturating_sub(1);
             for shape in Shape::OF_LAST.into_iter().filter(|_| is_outer && !context.earlier.is_rest) {
-                let (Some(name), Some(_)) = (names.get(by), amended(context.earlier.before, shape)) else { continue };
+                let (Some(name), Some(_)) = (names.get(by), of_last(context.earlier.before, shape)) else { continue };
                 let repair = Repair { words: words.from(name.start), between: words.only(|word| !word.is_name), shape };
-                let repaired = self.repaired(domain, words, repair, explained, context)?;
-                if !repaired.weight.is_zero() {
-                    keep(&mut best, repaired);
-                }
+                keep(&mut best, self.repaired(domain, words, repair, explained, context)?);
             }
+        }
+        for shape in Shape::WITHOUT_NAME.into_iter().filter(|_| !context.earlier.is_rest) {
+            if of_last(context.earlier.before, shape).is_none() {
+                continue;
+            }
+            let named = names.first().map_or(Words::NONE, |name| words.from(name.start));
+            let repair = Repair { words: named, between: words.only(|word| !word.is_name), shape };
+            let _ = best.push(self.repaired(domain, words, repair, explained, context)?);
         }
         Ok(best)
     }
@@ -155,13 +190,28 @@ impl<M: AgentMemory> Agent<M> {
         let Repair { words: stands, between, shape } = repair;
         self.explain_repaired(domain, stands, shape, explained, context)?;
         let taken_back = words.without(stands);
-        let prior = if amended(context.earlier.before, shape).is_some() { REPAIR * OF_LAST } else { REPAIR };
+        let prior = if shape.change().is_some() { REPAIR * OF_LAST } else { REPAIR };
         let weight = taken_back.iter().fold(explained.here.scaled_by(prior), |weight, word| weight.scaled_by(word.without_task));
-        let judged = self.judge_command(Judged::likely(super::Hypothesis::Command, stands, 1.0, 1.0), Choice::Likeliest, explained);
+        let judged = self.judge_repaired(Judged::likely(super::Hypothesis::Command, stands, 1.0, 1.0), shape, explained);
         Ok(Repaired { judged: Judged { words: stands, ..judged }, between, shape, weight })
     }
 
-    /// How well the tasks explain the words of a repair that stand; those that amend the last task need no act word.
+    /// The task of the words that stand, which are explained.
+    pub(super) fn judge_repaired<'w>(&self, likeliest: Judged<'w>, shape: Shape, explained: &mut Explained) -> Judged<'w> {
+        let whole = total(explained.weights.iter().copied());
+        if whole.is_zero() {
+            return Judged { tasks: TaskSet::EMPTY, ..likeliest };
+        }
+        let judged = self.judge_command(likeliest, Choice::Likeliest, explained);
+        match shape.change() {
+            // What changes the last task is no command, so it is not learned as one.
+            Some(_) if shape == Shape::NotThere => Judged { words: Words::NONE, is_negated: true, hypothesis: super::Hypothesis::Negated, ..judged },
+            Some(_) => Judged { words: Words::NONE, ..judged },
+            None => judged,
+        }
+    }
+
+    /// How well the tasks explain the words of a repair that stand. Those about the last task need no act word.
     pub(super) fn explain_repaired<D: Domain>(
         &mut self,
         domain: &D,
@@ -170,7 +220,7 @@ impl<M: AgentMemory> Agent<M> {
         explained: &mut Explained,
         context: Context<'_>,
     ) -> Result<(), AgentError> {
-        let Some(recalled) = amended(context.earlier.before, shape) else {
+        let Some(recalled) = of_last(context.earlier.before, shape) else {
             return self.explain_all(domain, stands, View::PLAIN, context, explained);
         };
         self.explain_words(domain, stands, View { has_act: true, ..View::PLAIN }, context, Some(recalled), explained)?;
@@ -179,14 +229,17 @@ impl<M: AgentMemory> Agent<M> {
     }
 }
 
-/// Keeps the most probable repairs, one for each task.
+/// Keeps the most probable repairs by a name, one for each task.
 fn keep<'w>(best: &mut Vec<Repaired<'w>, WEIGHED>, repaired: Repaired<'w>) {
+    if repaired.weight.is_zero() {
+        return;
+    }
     let same = best.iter().position(|other| other.judged.task == repaired.judged.task);
     let least = (0..best.len()).reduce(|one, other| {
         let weight = |at: usize| best.get(at).map_or(Scaled::ZERO, |it| it.weight);
         if weight(one).exceeds(weight(other)) { other } else { one }
     });
-    match same.or(least.filter(|_| best.is_full())).and_then(|at| best.get_mut(at)) {
+    match same.or(least.filter(|_| best.len() >= BY_NAME)).and_then(|at| best.get_mut(at)) {
         Some(other) if repaired.weight.exceeds(other.weight) => *other = repaired,
         Some(_) => {}
         None => drop(best.push(repaired)),

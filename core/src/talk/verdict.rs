@@ -184,8 +184,12 @@ impl<M: AgentMemory> Agent<M> {
         // What is asked for again was understood before; and where a new word may mean "not", nothing is weighed.
         if matches!(likeliest, Hypothesis::Talk(Class::Again) | Hypothesis::Reversed) {
             let (judged, _) = self.read(domain, plain(likeliest, most), command, explained, context, parting)?;
-            let is_accepted = judged.hypothesis == Hypothesis::Again && most >= clear_from(self.language().bitext().sessions());
-            return Ok(Judged { is_accepted, ..judged });
+            let is_again = judged.hypothesis == Hypothesis::Again;
+            // "Bring it back again" says more than "again".
+            if is_again || likeliest == Hypothesis::Reversed || !context.is_known() {
+                let is_accepted = is_again && most >= clear_from(self.language().bitext().sessions());
+                return Ok(Judged { is_accepted, ..judged });
+            }
         }
         let repairs = self.repairs(domain, said, explained, context)?;
         let turned = parting.and_then(|parting| parting.turned(said, context.earlier.is_rest));
@@ -226,7 +230,7 @@ impl<M: AgentMemory> Agent<M> {
             let others = weighed.iter().filter(|&&(other, _)| is_other(other));
             let rival = others.fold((Hypothesis::Nothing, 0.0), |most, &(other, share)| if share > most.1 { (other, share) } else { most });
             let between = match (repair, parting, gathering) {
-                (Some(repair), ..) => Some((repair.between, BETWEEN)),
+                (Some(repair), ..) => Some((repair.between, repair.shape.sign())),
                 (_, Some(parting), _) => Some((parting.between(said), if is_turned { TURNING } else { BETWEEN })),
                 (.., Some((gathering, _))) => Some((said.only(|word| !word.is_name), gathering.sign())),
                 _ => None,
@@ -269,7 +273,7 @@ impl<M: AgentMemory> Agent<M> {
                 tasks: judged.tasks.iter().count(),
                 is_done: if judged.is_negated { judged.tasks.common(done).is_empty() } else { judged.tasks.without(done).is_empty() },
                 is_asked: words.is_asked,
-                points_back: explained.points_back || repair.is_some_and(|repair| repair.shape.is_of_last()),
+                points_back: explained.points_back || repair.is_some_and(|repair| repair.shape.change().is_some()),
                 is_rest: context.earlier.is_rest,
                 is_turned: candidate.is_turned,
                 lessons: self.language().bitext().sessions(),
@@ -342,10 +346,7 @@ impl<M: AgentMemory> Agent<M> {
         }
         if let Some((_, shape)) = candidate.repair {
             self.explain_repaired(domain, words, shape, explained, context)?;
-            let judged = self.judge_command(Judged::likely(hypothesis, words, probability, command), candidate.choice, explained);
-            // What amends the last task is no command, so it is not learned as one.
-            let words = if shape.is_of_last() { Words::NONE } else { judged.words };
-            return Ok((Judged { words, ..judged }, None));
+            return Ok((self.judge_repaired(Judged::likely(hypothesis, words, probability, command), shape, explained), None));
         }
         let (Hypothesis::Several, Some(parting)) = (hypothesis, parting) else {
             self.explain_all(domain, words, View::PLAIN, context, explained)?;

@@ -59,7 +59,7 @@ const ONE_OF_MANY: f32 = 0.5;
 const OF_LAST: usize = BETWEEN + SORTS;
 
 /// The number of features, each of which counts for all readings, and again for each [kind](kind) of reading.
-const FEATURES: usize = OF_LAST + 3;
+const FEATURES: usize = OF_LAST + Shape::CHANGES;
 /// The number of clues.
 pub const CLUES: usize = FEATURES * (KINDS + 1);
 
@@ -296,8 +296,7 @@ impl Clues<'_> {
             mark(FIRST + rival(first), true);
         }
         if let Some(shape) = self.repair {
-            let feature = if shape.is_of_last() { OF_LAST + shape as usize - Shape::LastPlace as usize } else { FIRST + shape as usize };
-            mark(feature, true);
+            mark(shape.change().map_or(FIRST + shape as usize, |change| OF_LAST + change), true);
         }
         if let Some(gathering) = self.gathering {
             mark(GATHERING + gathering as usize, true);
@@ -334,6 +333,7 @@ pub fn clue_name(clue: u16) -> [&'static str; 4] {
         "follows another command",
         "likeliest",
     ];
+    const CHANGED: [&str; Shape::CHANGES] = ["the place", "the thing", "all that is named", "back", "another thing", "the robot", "forbidden"];
     let (reading, feature) = (usize::from(clue) / FEATURES, usize::from(clue) % FEATURES);
     let name = |names: &[&'static str], at: usize| names.get(at).copied().unwrap_or("");
     let sort_name = |sort: usize| match sort {
@@ -359,7 +359,7 @@ pub fn clue_name(clue: u16) -> [&'static str; 4] {
         KIND => ["", "always"],
         TURNED => ["", "the second is first"],
         _ if feature < STEPS_OF => ["the first is", name(&OTHERS, feature - FIRST)],
-        _ if feature >= OF_LAST => ["of the last task", name(&["the place", "the thing", "all that is named"], feature - OF_LAST)],
+        _ if feature >= OF_LAST => ["of the last task", name(&CHANGED, feature - OF_LAST)],
         _ if feature >= BETWEEN => ["between", sort_name(feature - BETWEEN)],
         _ => {
             let (number, step) = ((feature - STEPS_OF) / STEPS, (feature - STEPS_OF) % STEPS);
