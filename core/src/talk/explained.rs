@@ -5,7 +5,6 @@ use super::context::{Context, DONE, View};
 use super::conversation::Before;
 use super::recalled::{Recalled, readings, without};
 use super::syntax::{begins_with_way, is_verbless, names_thing_and_way, neighbouring_names, new_names, new_verb};
-use super::verdict::Choice;
 use super::wording::{is_plain, take_pause};
 use super::words::Words;
 use crate::capacity::{LIFTED_TASKS, WORDS_PER_COMMAND};
@@ -89,22 +88,19 @@ impl Explained {
         (best.0, best.1.over(whole))
     }
 
-    /// The task that is read, with its probability; of the tasks with all names and a named place `None` if the likeliest of all is one of
-    /// them, or none is possible. The others then count less than it does, so that the robot follows it.
-    pub fn chosen(&mut self, choice: Choice) -> Option<(usize, f32)> {
+    /// The likeliest task, with its probability; `among` some tasks `None` if the likeliest of all is one of them, or none is possible. The
+    /// others then count less than it does, so that the robot follows it.
+    pub fn chosen(&mut self, among: Option<TaskSet>) -> Option<(usize, f32)> {
         let (likeliest, probability) = self.best();
-        let named = self.fitting;
-        if choice != Choice::AllNamed {
-            return Some((likeliest, probability));
-        }
-        if named.contains(likeliest) {
+        let Some(among) = among else { return Some((likeliest, probability)) };
+        if among.contains(likeliest) {
             return None;
         }
-        let of_named = self.weights.iter().copied().enumerate().filter(|&(task, _)| named.contains(task));
-        let (task, weight) = of_named.reduce(|one, other| if other.1.exceeds(one.1) { other } else { one })?;
+        let of_some = self.weights.iter().copied().enumerate().filter(|&(task, _)| among.contains(task));
+        let (task, weight) = of_some.reduce(|one, other| if other.1.exceeds(one.1) { other } else { one })?;
         let whole = total(self.weights.iter().copied());
         let less = weight.over(self.weights.get(likeliest).copied().unwrap_or(Scaled::ONE)) * FOREIGN;
-        for (_, weight) in self.weights.iter_mut().enumerate().filter(|&(task, _)| !named.contains(task)) {
+        for (_, weight) in self.weights.iter_mut().enumerate().filter(|&(task, _)| !among.contains(task)) {
             *weight = weight.scaled_by(less);
         }
         (!weight.is_zero()).then(|| (task, weight.over(whole)))

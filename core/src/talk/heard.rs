@@ -3,7 +3,7 @@
 use crate::capacity::WORDS_PER_COMMAND;
 use crate::language::LanguageRef;
 use crate::language::bitext::BitextRef;
-use crate::language::roles::talk::{Said, background, common, is_name, is_of_task};
+use crate::language::roles::talk::{Said, background, common, is_name, is_name_alone, is_of_task};
 use crate::symbols::Symbol;
 use crate::voice::classes::{Class, Classes};
 use heapless::Vec;
@@ -83,6 +83,7 @@ impl Heard {
             false if classes.contains_any(&TURNING) || classes.contains_any(&others) => OTHER_CLOSED,
             false => share(background(tables, symbol), NEW),
         };
+        let is_name_alone = is_name_alone(language, symbol);
         let count = symbol.map_or(0.0, |symbol| count(language.bitext(), symbol) as f32);
         let factor = if count == 0.0 && classes.contains_any(&TURNING) { TURNS } else { 1.0 };
         Self {
@@ -104,8 +105,8 @@ impl Heard {
             is_sign: false,
             piece: 0,
             phrase: 0,
-            is_of_task: is_of_task(tables, symbol),
-            is_name: is_name(tables, symbol),
+            is_of_task: is_of_task(tables, symbol) || is_name(tables, symbol) && !is_name_alone,
+            is_name: is_name_alone,
             is_plural: false,
         }
     }

@@ -9,7 +9,7 @@
 //! forbidden, or repeated with another thing.
 
 use super::acceptance::BETWEEN;
-use super::context::{Context, View};
+use super::context::{Context, ToldTasks, View};
 use super::explained::Explained;
 use super::hypothesis::Judged;
 use super::recalled::of_last;
@@ -30,7 +30,7 @@ const OF_LAST: f32 = 100.0;
 /// The most names of an utterance that are looked at, and the most repairs that are weighed: those by a name, and those without.
 const NAMES: usize = 6;
 const BY_NAME: usize = 4;
-pub(super) const WEIGHED: usize = BY_NAME + Shape::WITHOUT_NAME.len();
+pub(super) const WEIGHED: usize = BY_NAME + Shape::WITHOUT_NAME.len() + 1;
 
 /// What a repair takes back.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -57,6 +57,8 @@ pub(super) enum Shape {
     RobotToo,
     /// The last task, which is forbidden.
     NotThere,
+    /// Nothing: the place that has no name is where the robot is, as in "get me the basket".
+    Hither,
 }
 
 impl Shape {
@@ -66,10 +68,10 @@ impl Shape {
     const OF_LAST: [Self; 3] = [Self::LastPlace, Self::LastThing, Self::LastNames];
     /// Those that change it, and need no name.
     const WITHOUT_NAME: [Self; 4] = [Self::Back, Self::OtherThing, Self::RobotToo, Self::NotThere];
-    /// How many take something of the last task back.
-    pub const CHANGES: usize = Self::OF_LAST.len() + Self::WITHOUT_NAME.len();
+    /// How many take nothing of the utterance back.
+    pub const CHANGES: usize = Self::OF_LAST.len() + Self::WITHOUT_NAME.len() + 1;
 
-    /// What it changes in the last task, below [`CHANGES`](Self::CHANGES), if it does.
+    /// Which of them it is, from 0.
     pub const fn change(self) -> Option<usize> {
         (self as usize).checked_sub(Self::OF_UTTERANCE.len())
     }
@@ -81,6 +83,7 @@ impl Shape {
             Self::OtherThing => "=",
             Self::RobotToo => ">",
             Self::NotThere => "!",
+            Self::Hither => ".",
             _ => BETWEEN,
         }
     }
@@ -161,19 +164,22 @@ impl<M: AgentMemory> Agent<M> {
             }
             // Of several names, what is meant begins with the first or is the last: "not the red one, the green one".
             let is_outer = by == 0 || by == names.len().saturating_sub(1);
-            for shape in Shape::OF_LAST.into_iter().filter(|_| is_outer && !context.earlier.is_rest) {
+            for shape in Shape::OF_LAST.into_iter().filter(|_| is_outer) {
                 let (Some(name), Some(_)) = (names.get(by), of_last(context.earlier.before, shape)) else { continue };
                 let repair = Repair { words: words.from(name.start), between: words.only(|word| !word.is_name), shape };
                 keep(&mut best, self.repaired(domain, words, repair, explained, context)?);
             }
         }
-        for shape in Shape::WITHOUT_NAME.into_iter().filter(|_| !context.earlier.is_rest) {
-            if of_last(context.earlier.before, shape).is_none() {
-                continue;
+        let named = names.first().map_or(Words::NONE, |name| words.from(name.start));
+        for shape in Shape::WITHOUT_NAME.into_iter().chain([Shape::Hither]) {
+            let is_possible = match shape {
+                Shape::Hither => !named.is_empty(),
+                _ => !context.earlier.is_rest && of_last(context.earlier.before, shape).is_some(),
+            };
+            if is_possible {
+                let repair = Repair { words: named, between: words.only(|word| !word.is_name), shape };
+                let _ = best.push(self.repaired(domain, words, repair, explained, context)?);
             }
-            let named = names.first().map_or(Words::NONE, |name| words.from(name.start));
-            let repair = Repair { words: named, between: words.only(|word| !word.is_name), shape };
-            let _ = best.push(self.repaired(domain, words, repair, explained, context)?);
         }
         Ok(best)
     }
@@ -220,10 +226,18 @@ impl<M: AgentMemory> Agent<M> {
         explained: &mut Explained,
         context: Context<'_>,
     ) -> Result<(), AgentError> {
+        let view = View { has_act: true, ..View::PLAIN };
+        if shape == Shape::Hither {
+            let here = |task: usize| self.goal(domain, task).filter(|_| self.place_of_thing(domain, task).is_none());
+            let place = self.done(domain).iter().find_map(here);
+            let ends_here = |&task: &usize| place.is_some() && self.place_of_thing(domain, task).map(|(_, place)| place) == place;
+            let told = ToldTasks { tasks: (0..self.tasks().len()).filter(ends_here).collect(), is_place: true };
+            return self.explain_words(domain, stands, view, Context { told: Some(&told), ..context }, None, explained);
+        }
         let Some(recalled) = of_last(context.earlier.before, shape) else {
             return self.explain_all(domain, stands, View::PLAIN, context, explained);
         };
-        self.explain_words(domain, stands, View { has_act: true, ..View::PLAIN }, context, Some(recalled), explained)?;
+        self.explain_words(domain, stands, view, context, Some(recalled), explained)?;
         explained.points_back = true;
         Ok(())
     }

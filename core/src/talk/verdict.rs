@@ -1,12 +1,13 @@
 //! The decision on an utterance: the likeliest hypothesis, its tasks, and any objections to them.
 
-use super::acceptance::{ACTS_FROM, BETWEEN, Clues, DONE_FROM, Sorts, TURNING, asks, clear_from, odds};
+use super::acceptance::{ACTS_FROM, BETWEEN, Clues, DONE_FROM, OTHER, Sorts, TURNING, asks, clear_from, odds};
 use super::context::{Context, View};
 use super::conversation::Before;
 use super::explained::Explained;
 use super::heard::Heard;
 use super::hypothesis::{Hypothesis, Judged, likeliest};
 use super::readings::{GATHERED, GATHERINGS, Gathering, Name, WithoutCues, all, gatherings, has_negation, is_of_several, negated};
+use super::recalled::of_last;
 use super::repair::{Shape, WEIGHED};
 use super::several::Parting;
 use super::syntax::{has_new_name, is_question};
@@ -19,9 +20,9 @@ use crate::task::TaskSet;
 use crate::voice::classes::Class;
 use heapless::Vec;
 
-/// The most readings of an utterance that are compared: repairs, gatherings, three for each order of several commands, two of a command and of
-/// a prohibition, and one of all things.
-const MEANINGS: usize = WEIGHED + GATHERINGS + 2 * 3 + 2 * 2 + 1;
+/// The most readings of an utterance that are compared: repairs, gatherings, four for each order of several commands, three of a
+/// command and four of a prohibition, and one of all things.
+const MEANINGS: usize = WEIGHED + GATHERINGS + 2 * 4 + 3 + 4 + 1;
 
 /// From this probability on, an uncertain reading says more than the likeliest hypothesis that asks for nothing.
 const WORTH_ASKING: f32 = 0.4;
@@ -34,7 +35,7 @@ impl Doubts {
     /// No doubts.
     pub const NONE: Self = Self(0);
     /// The names of all doubts.
-    const NAMES: [&'static str; 9] = [
+    const NAMES: [&'static str; 10] = [
         "a thing outside the task",
         "a new name",
         "other cues",
@@ -44,6 +45,7 @@ impl Doubts {
         "no tasks",
         "a likelier task",
         "a name of two things",
+        "a likelier kind",
     ];
     /// How many there are.
     pub const COUNT: usize = Self::NAMES.len();
@@ -78,6 +80,8 @@ enum Doubt {
     Outweighed,
     /// Neighbouring names are not those of one thing.
     TwoThings,
+    /// A task of another kind is likelier.
+    OtherKind,
 }
 
 /// Which of the readings that words have under a hypothesis is meant.
@@ -85,10 +89,13 @@ enum Doubt {
 pub(super) enum Choice {
     /// The likeliest.
     Likeliest,
-    /// Of the first of several commands the plain command, although another reading of it is likelier: "but first take ...".
+    /// Of the first of several commands the plain command, although another reading of it is likelier: "but first take ..."; of words that
+    /// negate twice the plain prohibition: "it can't go out there".
     Plain,
     /// The likeliest task about all that is named, although another one is likelier: "don't let the basket go into the red room".
     AllNamed,
+    /// The likeliest task of another kind than the likeliest of all: "put yourself in the red room".
+    OtherKind,
 }
 
 /// A reading of an utterance, as a robot weighs it.
@@ -199,8 +206,9 @@ impl<M: AgentMemory> Agent<M> {
         let mut weigh = |candidate: Candidate<'w>| {
             let choices: &[Choice] = match candidate.hypothesis {
                 _ if candidate.repair.is_some() || candidate.gathering.is_some() => &[Choice::Likeliest],
-                Hypothesis::Several => &[Choice::Likeliest, Choice::Plain, Choice::AllNamed],
-                Hypothesis::Command | Hypothesis::Negated => &[Choice::Likeliest, Choice::AllNamed],
+                Hypothesis::Several => &[Choice::Likeliest, Choice::Plain, Choice::AllNamed, Choice::OtherKind],
+                Hypothesis::Command => &[Choice::Likeliest, Choice::AllNamed, Choice::OtherKind],
+                Hypothesis::Negated => &[Choice::Likeliest, Choice::AllNamed, Choice::OtherKind, Choice::Plain],
                 _ => &[Choice::Likeliest],
             };
             for &choice in choices {
@@ -233,6 +241,7 @@ impl<M: AgentMemory> Agent<M> {
                 (Some(repair), ..) => Some((repair.between, repair.shape.sign())),
                 (_, Some(parting), _) => Some((parting.between(said), if is_turned { TURNING } else { BETWEEN })),
                 (.., Some((gathering, _))) => Some((said.only(|word| !word.is_name), gathering.sign())),
+                _ if candidate.choice == Choice::OtherKind => Some((words.only(|word| !word.is_name), OTHER)),
                 _ => None,
             };
             let is_near = |word: &Heard| gathering.is_none_or(|(_, name)| name.is_near(said, word));
@@ -273,7 +282,7 @@ impl<M: AgentMemory> Agent<M> {
                 tasks: judged.tasks.iter().count(),
                 is_done: if judged.is_negated { judged.tasks.common(done).is_empty() } else { judged.tasks.without(done).is_empty() },
                 is_asked: words.is_asked,
-                points_back: explained.points_back || repair.is_some_and(|repair| repair.shape.change().is_some()),
+                points_back: explained.points_back || repair.is_some_and(|repair| of_last(context.earlier.before, repair.shape).is_some()),
                 is_rest: context.earlier.is_rest,
                 is_turned: candidate.is_turned,
                 lessons: self.language().bitext().sessions(),
@@ -364,7 +373,7 @@ impl<M: AgentMemory> Agent<M> {
             _ => {}
         }
         let part = self.judge_one(domain, Judged::likely(first, parting.first, share, command), candidate.choice, explained, context)?;
-        if candidate.choice == Choice::AllNamed && part.tasks.is_empty() {
+        if matches!(candidate.choice, Choice::AllNamed | Choice::OtherKind) && part.tasks.is_empty() {
             return Ok((Judged::likely(hypothesis, words, probability, command), None));
         }
         let begin = if parting.is_turned { 0 } else { words.get(parting.begin).map_or(0, |word| usize::from(word.piece)) };
@@ -389,7 +398,7 @@ impl<M: AgentMemory> Agent<M> {
         context: Context<'_>,
     ) -> Result<Judged<'w>, AgentError> {
         let Judged { hypothesis, words, probability, .. } = likeliest;
-        if choice == Choice::AllNamed && matches!(hypothesis, Hypothesis::Talk(Class::Again) | Hypothesis::All) {
+        if matches!(choice, Choice::AllNamed | Choice::OtherKind) && matches!(hypothesis, Hypothesis::Talk(Class::Again) | Hypothesis::All) {
             return Ok(likeliest);
         }
         if hypothesis == Hypothesis::Talk(Class::Again)
@@ -426,10 +435,14 @@ impl<M: AgentMemory> Agent<M> {
         // "Both chairs out of the red room".
         let is_of_several = is_of_several(words) && choice == Choice::Likeliest;
         let all = if is_of_several { self.all_that_fit(domain, explained) } else { (TaskSet::EMPTY, 0.0) };
-        let Some((task, of_task)) = explained.chosen(choice) else { return Ok(Some(likeliest)) };
+        // A reading against a double negation is one only where there is one.
+        let is_possible = choice != Choice::Plain || rest.is_double;
+        let Some((task, of_task)) = explained.chosen(self.among(choice, explained)).filter(|_| is_possible) else {
+            return Ok(Some(likeliest));
+        };
         let is_of_thing = self.place_of_thing(domain, task).is_some();
         // "Don't leave the red room" asks for a goal that holds, "don't leave the bag in the red room" does not.
-        let holds = rest.is_double && !(is_of_thing && words.any(&|word| word.leaves));
+        let holds = rest.is_double && choice != Choice::Plain && !(is_of_thing && words.any(&|word| word.leaves));
         // "The red chair must not end up in the blue room", "I don't want you in the red room".
         let is_whole = explained.whole.contains(task) || self.is_only_one(domain, explained, task);
         let has_act = explained.acts || context.earlier.is_rest;
@@ -454,7 +467,8 @@ impl<M: AgentMemory> Agent<M> {
                 (Doubt::NoAct, !is_told),
                 (Doubt::Impossible, !is_possible),
                 (Doubt::Unfitting, !explained.fitting.contains(task)),
-                (Doubt::Outweighed, choice == Choice::AllNamed),
+                (Doubt::Outweighed, matches!(choice, Choice::AllNamed | Choice::Plain)),
+                (Doubt::OtherKind, choice == Choice::OtherKind),
                 (Doubt::TwoThings, !explained.of_one.contains(task)),
             ]),
             ..likeliest
@@ -499,15 +513,28 @@ impl<M: AgentMemory> Agent<M> {
     /// The task of a plain command, and any objections to it.
     pub(super) fn judge_command<'w>(&self, likeliest: Judged<'w>, choice: Choice, explained: &mut Explained) -> Judged<'w> {
         let Judged { words, command, .. } = likeliest;
-        let Some((task, of_command)) = explained.chosen(choice) else { return likeliest };
+        let Some((task, of_command)) = explained.chosen(self.among(choice, explained)) else { return likeliest };
         let doubts = Doubts::of(&[
             (Doubt::Foreign, !explained.own.contains(task)),
             // A word that names nothing known may be the name of something else.
             (Doubt::NewName, !explained.whole.contains(task) && has_new_name(words)),
             (Doubt::Outweighed, choice == Choice::AllNamed),
+            (Doubt::OtherKind, choice == Choice::OtherKind),
             (Doubt::TwoThings, !explained.of_one.contains(task)),
         ]);
         Judged { words: explained.naming(words), task, tasks: TaskSet::of(task), probability: command * of_command, doubts, ..likeliest }
+    }
+
+    /// The tasks among which one is chosen; `None` for all.
+    fn among(&self, choice: Choice, explained: &Explained) -> Option<TaskSet> {
+        match choice {
+            Choice::Likeliest | Choice::Plain => None,
+            Choice::AllNamed => Some(explained.fitting),
+            Choice::OtherKind => {
+                let kind = self.task(explained.best().0).lifted;
+                Some((0..self.task_count).filter(|&task| self.task(task).lifted != kind).collect())
+            }
+        }
     }
 
     /// Negates all tasks. The session is then about states to avoid.

@@ -9,6 +9,7 @@
 use super::forward::{Memories, Reader, Scratch, heard};
 use super::layout::{Layout, MOST_ROLES, SHARES_NAMED, get};
 use crate::capacity::{LIFTED_TASKS, WORDS_PER_COMMAND};
+use crate::language::LanguageRef;
 use crate::language::bitext::BitextRef;
 use crate::language::tables::TablesRef;
 use crate::probability::Scaled;
@@ -126,7 +127,7 @@ impl<'t> Senses<'t> {
         if let Some(&Some(sense)) = self.known.get(word.index()) {
             return sense;
         }
-        let value = value_of(self.tables, word);
+        let value = value_of(self.tables, word).filter(|&value| is_of_things(self.bitext, word, value));
         let acts = if value.is_some() || self.is_plain(word) { 0 } else { sign_of(self.tables.layout(), self.bitext, word) };
         let sense = Sense { value, acts };
         if let Some(slot) = self.known.get_mut(word.index()) {
@@ -311,6 +312,12 @@ pub(crate) fn is_of_task(tables: TablesRef<'_>, word: Option<Symbol>) -> bool {
 /// Whether a word is likelier as the name of a value than as a word of a task or of the background.
 pub(crate) fn is_name(tables: TablesRef<'_>, word: Option<Symbol>) -> bool {
     word.is_some_and(|word| value_of(tables, word).is_some())
+}
+
+/// As [`is_name`], for a word that was said of nothing else: in "把篮子拿到红色房间" the verb 拿 follows the name of each thing, so that training
+/// takes it for a part of these names.
+pub(crate) fn is_name_alone(language: LanguageRef<'_>, word: Option<Symbol>) -> bool {
+    word.zip(word.and_then(|word| value_of(language.tables(), word))).is_some_and(|(word, value)| is_of_things(language.bitext(), word, value))
 }
 
 /// The value that a word names, if that is likelier than a word of a task or of the background.

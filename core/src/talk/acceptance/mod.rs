@@ -15,7 +15,7 @@ mod words;
 pub use clues::{CLUES, Clues, KINDS, KINDS_OF_WORDS, clue_name};
 pub(super) use clues::{Sorts, asks, clear_from};
 pub use weights::{SENSES, Trained, Weights, WeightsError};
-pub(super) use words::{BETWEEN, FAR, TURNING};
+pub(super) use words::{BETWEEN, FAR, OTHER, TURNING};
 pub use words::{HASHED, Spoken};
 
 /// The robot acts on a reading that is more probable than this, as if a wrong act cost as much as five questions: then acting

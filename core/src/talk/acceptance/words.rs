@@ -28,6 +28,9 @@ pub(in super::super) const TURNING: &str = "<";
 /// What stands before each word of a command about all things that is not near the name which tells it.
 pub(in super::super) const FAR: &str = "*";
 
+/// What stands before each word, if a task of another kind than the likeliest is meant.
+pub(in super::super) const OTHER: &str = "+";
+
 /// The words of an utterance.
 #[derive(Clone, Copy)]
 pub struct Spoken<'u> {
