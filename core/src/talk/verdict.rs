@@ -20,9 +20,9 @@ use crate::task::TaskSet;
 use crate::voice::classes::Class;
 use heapless::Vec;
 
-/// The most readings of an utterance that are compared: repairs, gatherings, four for each order of several commands, three of a
-/// command and four of a prohibition, and one of all things.
-const MEANINGS: usize = WEIGHED + GATHERINGS + 2 * 4 + 3 + 4 + 1;
+/// The most readings of an utterance that are compared: repairs, gatherings, four for each order of several commands, four of a
+/// command and of a prohibition, and one of all things.
+const MEANINGS: usize = WEIGHED + GATHERINGS + 2 * 4 + 2 * 4 + 1;
 
 /// From this probability on, an uncertain reading says more than the likeliest hypothesis that asks for nothing.
 const WORTH_ASKING: f32 = 0.4;
@@ -90,7 +90,7 @@ pub(super) enum Choice {
     /// The likeliest.
     Likeliest,
     /// Of the first of several commands the plain command, although another reading of it is likelier: "but first take ..."; of words that
-    /// negate twice the plain prohibition: "it can't go out there".
+    /// negate twice the plain prohibition: "it can't go out there"; of words that may refer, those that do not: "wait in the red room".
     Plain,
     /// The likeliest task about all that is named, although another one is likelier: "don't let the basket go into the red room".
     AllNamed,
@@ -207,7 +207,7 @@ impl<M: AgentMemory> Agent<M> {
             let choices: &[Choice] = match candidate.hypothesis {
                 _ if candidate.repair.is_some() || candidate.gathering.is_some() => &[Choice::Likeliest],
                 Hypothesis::Several => &[Choice::Likeliest, Choice::Plain, Choice::AllNamed, Choice::OtherKind],
-                Hypothesis::Command => &[Choice::Likeliest, Choice::AllNamed, Choice::OtherKind],
+                Hypothesis::Command => &[Choice::Likeliest, Choice::AllNamed, Choice::OtherKind, Choice::Plain],
                 Hypothesis::Negated => &[Choice::Likeliest, Choice::AllNamed, Choice::OtherKind, Choice::Plain],
                 _ => &[Choice::Likeliest],
             };
@@ -360,6 +360,13 @@ impl<M: AgentMemory> Agent<M> {
         let (Hypothesis::Several, Some(parting)) = (hypothesis, parting) else {
             self.explain_all(domain, words, View::PLAIN, context, explained)?;
             let likely = Judged::likely(hypothesis, words, probability, command);
+            let refers = explained.points_back;
+            if hypothesis == Hypothesis::Command && candidate.choice == Choice::Plain && !refers {
+                return Ok((likely, None));
+            }
+            if refers && matches!(candidate.choice, Choice::OtherKind | Choice::Plain) {
+                self.explain_words(domain, words, View::PLAIN, context, None, explained)?;
+            }
             return Ok((self.judge_one(domain, likely, candidate.choice, explained, context)?, None));
         };
         self.explain_all(domain, parting.first, View::PLAIN, context, explained)?;
@@ -518,7 +525,7 @@ impl<M: AgentMemory> Agent<M> {
             (Doubt::Foreign, !explained.own.contains(task)),
             // A word that names nothing known may be the name of something else.
             (Doubt::NewName, !explained.whole.contains(task) && has_new_name(words)),
-            (Doubt::Outweighed, choice == Choice::AllNamed),
+            (Doubt::Outweighed, matches!(choice, Choice::AllNamed | Choice::Plain)),
             (Doubt::OtherKind, choice == Choice::OtherKind),
             (Doubt::TwoThings, !explained.of_one.contains(task)),
         ]);
