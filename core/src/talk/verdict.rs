@@ -559,7 +559,8 @@ impl<M: AgentMemory> Agent<M> {
     fn again(&self, words: Words<'_>, before: Before<'_>, explained: &Explained) -> Option<usize> {
         let Before::Known(conversation) = before else { return None };
         let last = conversation.last()?;
-        let asks = words.any(&|word| word.is(Class::Again) && !word.is_any(&[Class::Back, Class::Undo]));
+        // "Back to the red room again" is more than "again".
+        let asks = words.has(Class::Again) && !words.any(&|word| word.is_name || word.is_any(&[Class::Back, Class::Undo]));
         let task = self.tasks().iter().position(|task| (task.lifted, task.bindings) == (last.lifted, last.bindings))?;
         (asks && (!explained.acts || explained.acted.contains(task))).then_some(task)
     }
