@@ -7,6 +7,8 @@ use crate::task::TaskSet;
 
 /// The share of each kind of task that goes to tasks that are done already.
 pub(super) const DONE: f32 = Options::SELDOM_DONE;
+/// The same share if a word such as "stay" is said. It is not all, because "wait in the red room" may ask the robot to go there.
+pub(super) const STAYS: f32 = 0.999;
 
 /// How some words are read.
 #[derive(Clone, Copy)]

@@ -1,7 +1,7 @@
 //! How well the tasks here explain words, some of which may refer to earlier sentences.
 
 use super::absent::with_ghost;
-use super::context::{Context, DONE, View};
+use super::context::{Context, DONE, STAYS, View};
 use super::conversation::Before;
 use super::recalled::{Recalled, readings, without};
 use super::syntax::{begins_with_way, is_verbless, names_thing_and_way, neighbouring_names, new_names, new_verb};
@@ -196,7 +196,7 @@ impl<M: AgentMemory> Agent<M> {
             };
             let is_here = recalled.is_here();
             let has_act = view.has_act || is_here || recalled.is_of_last_kind();
-            let view = View { has_act, done: if is_here { 1.0 } else { view.done } };
+            let view = View { has_act, done: if is_here { STAYS } else { view.done } };
             self.explain_words(domain, rest, view, context.of_kind(kind), Some(recalled), &mut other)?;
             let prior = prior * share * recalled.missing(is_way);
             // A thing that is not here cannot stay.

@@ -89,14 +89,12 @@ fn clauses(words: Words<'_>) -> Vec<(usize, usize), WORDS_PER_COMMAND> {
         let is_of_name = word.is_some_and(|word| word.is_name && !word.is_toward || is_named && word.is_noun());
         let ends_name = is_named && !is_of_name;
         is_named = is_of_name;
-        let begins = |words: Words<'_>| words.any(&Heard::may_be_verb);
         let is_mark = is_comma || begins_name(words, at);
         let is_end = is_mark || ends_name;
         let may_end = is_end
             && !is_connective(at)
             && is_whole(words.part(begin, at), is_mark)
-            && is_whole(behind(is_comma), is_mark)
-            && (is_mark || begins(behind(is_comma)));
+            && is_whole(behind(is_comma), is_mark);
         phrase = of;
         if at == words.len() || is_connective(at) || may_end {
             if begin < at {
