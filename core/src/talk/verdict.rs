@@ -283,6 +283,8 @@ impl<M: AgentMemory> Agent<M> {
                 is_done: if judged.is_negated { judged.tasks.common(done).is_empty() } else { judged.tasks.without(done).is_empty() },
                 is_asked: words.is_asked,
                 points_back: explained.points_back || repair.is_some_and(|repair| of_last(context.earlier.before, repair.shape).is_some()),
+                told: context.told.map(|told| told.is_place),
+                is_of_thing: self.place_of_thing(domain, judged.task).is_some(),
                 is_rest: context.earlier.is_rest,
                 is_turned: candidate.is_turned,
                 lessons: self.language().bitext().sessions(),

@@ -55,11 +55,14 @@ const BETWEEN: usize = STEPS_OF + NUMBERS * STEPS;
 /// The value of a feature of a step, of which many hold at once.
 const ONE_OF_MANY: f32 = 0.5;
 
-/// What a repair of the last task changes in it.
+/// What a repair changes that takes nothing of the utterance back.
 const OF_LAST: usize = BETWEEN + SORTS;
+/// Whether other words tell the thing, or the place; and whether the task is about a thing.
+const TOLD: usize = OF_LAST + Shape::CHANGES;
+const OF_THING: usize = TOLD + 2;
 
 /// The number of features, each of which counts for all readings, and again for each [kind](kind) of reading.
-const FEATURES: usize = OF_LAST + Shape::CHANGES;
+const FEATURES: usize = OF_THING + 1;
 /// The number of clues.
 pub const CLUES: usize = FEATURES * (KINDS + 1);
 
@@ -211,6 +214,9 @@ pub struct Clues<'s> {
     pub(in super::super) is_asked: bool,
     /// Whether it refers to an earlier sentence.
     pub(in super::super) points_back: bool,
+    /// Whether words that were read apart tell its place, or else its thing; and whether it is about a thing.
+    pub(in super::super) told: Option<bool>,
+    pub(in super::super) is_of_thing: bool,
     /// Whether it follows an earlier command of the utterance, and whether the second of two commands is to be done first.
     pub(in super::super) is_rest: bool,
     pub(in super::super) is_turned: bool,
@@ -284,6 +290,10 @@ impl Clues<'_> {
         mark(REST, self.is_rest);
         mark(TURNED, self.is_turned);
         mark(TOP, is_top);
+        if let Some(is_place) = self.told {
+            mark(TOLD + usize::from(is_place), true);
+        }
+        mark(OF_THING, self.is_of_thing);
         mark(TOP + 1 + rival(other), !is_top);
         mark(TASKS + self.tasks.min(3), true);
         for doubt in 0..Doubts::COUNT {
@@ -359,6 +369,8 @@ pub fn clue_name(clue: u16) -> [&'static str; 4] {
         KIND => ["", "always"],
         TURNED => ["", "the second is first"],
         _ if feature < STEPS_OF => ["the first is", name(&OTHERS, feature - FIRST)],
+        OF_THING => ["", "a task about a thing"],
+        _ if feature >= TOLD => ["told apart", name(&["the thing", "the place"], feature - TOLD)],
         _ if feature >= OF_LAST => ["of the last task", name(&CHANGED, feature - OF_LAST)],
         _ if feature >= BETWEEN => ["between", sort_name(feature - BETWEEN)],
         _ => {
