@@ -956,6 +956,32 @@ fn the_other_one_is_the_other_of_its_kind_and_goes_to_the_same_place() {
 }
 
 #[test]
+fn a_task_that_is_done_can_still_be_corrected_taken_back_and_forbidden() {
+    let (_folder, model) = taught(120, &ENGLISH);
+    let blocks = vec![("yellow", "bag", 1), ("red", "chair", 1)];
+    let home = Home { rooms: vec!["red", "blue", "green", "purple"], blocks, robot: 0 };
+    let cases = [
+        ("take the yellow bag to the green room", "sure", "blockInRoom(block0,room2)"),
+        ("no I said the purple room", "sure", "blockInRoom(block0,room3)"),
+        ("go to the blue room", "sure", "agentInRoom(agent0,room1)"),
+        ("sorry I meant the green one", "sure", "agentInRoom(agent0,room2)"),
+    ];
+    check_conversation(&model, &home, &cases);
+    let cases = [
+        ("take the yellow bag to the green room", "sure", "blockInRoom(block0,room2)"),
+        ("not the bag I meant the chair", "sure", "blockInRoom(block1,room2)"),
+        ("put that one back where it was", "sure", "blockInRoom(block1,room1)"),
+    ];
+    check_conversation(&model, &home, &cases);
+}
+
+#[test]
+fn what_is_to_be_brought_here_goes_to_the_robots_room() {
+    let (_folder, model) = taught(120, &ENGLISH);
+    check(&model, &three_rooms(), &[("bring the bag here please", "sure", "blockInRoom(block0,room0)")]);
+}
+
+#[test]
 fn words_that_point_back_are_not_followed_where_nothing_was_done_before() {
     let (_folder, model) = taught(120, &ENGLISH);
     let unsure = ["take it there", "put it back", "go back", "the other one", "do it again", "go there"];
