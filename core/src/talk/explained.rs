@@ -88,9 +88,8 @@ impl Explained {
         (best.0, best.1.over(whole))
     }
 
-    /// The likeliest task, with its probability; `among` some tasks `None` if the likeliest of all is one of them, or none is possible. The
-    /// others then count less than it does, so that the robot follows it.
-    pub fn chosen(&mut self, among: Option<TaskSet>) -> Option<(usize, f32)> {
+    /// The likeliest task, with its probability; `among` some tasks `None` if the likeliest of all is one of them, or none is possible.
+    pub fn chosen(&self, among: Option<TaskSet>) -> Option<(usize, f32)> {
         let (likeliest, probability) = self.best();
         let Some(among) = among else { return Some((likeliest, probability)) };
         if among.contains(likeliest) {
@@ -98,12 +97,17 @@ impl Explained {
         }
         let of_some = self.weights.iter().copied().enumerate().filter(|&(task, _)| among.contains(task));
         let (task, weight) = of_some.reduce(|one, other| if other.1.exceeds(one.1) { other } else { one })?;
-        let whole = total(self.weights.iter().copied());
-        let less = weight.over(self.weights.get(likeliest).copied().unwrap_or(Scaled::ONE)) * FOREIGN;
+        (!weight.is_zero()).then(|| (task, weight.over(total(self.weights.iter().copied()))))
+    }
+
+    /// Makes the task that is chosen among some the likeliest of all, so that the robot follows it.
+    pub fn prefer(&mut self, among: TaskSet) {
+        let Some((task, _)) = self.chosen(Some(among)) else { return };
+        let of = |task: usize| self.weights.get(task).copied().unwrap_or(Scaled::ONE);
+        let less = of(task).over(of(self.best().0)) * FOREIGN;
         for (_, weight) in self.weights.iter_mut().enumerate().filter(|&(task, _)| !among.contains(task)) {
             *weight = weight.scaled_by(less);
         }
-        (!weight.is_zero()).then(|| (task, weight.over(whole)))
     }
 
     /// The task that explains the words best, among some; `None` if none explains them.

@@ -128,6 +128,8 @@ struct Candidate<'w> {
     gathering: Option<(Gathering, Name)>,
     /// Of a repair, which one, and what it takes back.
     repair: Option<(u8, Shape)>,
+    /// Whether the words were explained as a plain command just now, and refer to nothing.
+    is_explained: bool,
 }
 
 /// A reading while it is compared with others.
@@ -186,7 +188,7 @@ impl<M: AgentMemory> Agent<M> {
         let words_of = |hypothesis| if hypothesis == Hypothesis::Several { said } else { words };
         let plain = |hypothesis, share| {
             let words = words_of(hypothesis);
-            Candidate { hypothesis, words, share, is_turned: false, choice: Choice::Likeliest, gathering: None, repair: None }
+            Candidate { hypothesis, words, share, is_turned: false, choice: Choice::Likeliest, gathering: None, repair: None, is_explained: false }
         };
         // What is asked for again was understood before; and where a new word may mean "not", nothing is weighed.
         if matches!(likeliest, Hypothesis::Talk(Class::Again) | Hypothesis::Reversed) {
@@ -230,6 +232,7 @@ impl<M: AgentMemory> Agent<M> {
             weigh(plain(hypothesis, share));
         }
         let mut meanings: Vec<Meaning<'w, '_>, MEANINGS> = Vec::new();
+        let mut is_explained = false;
         for candidate in &candidates {
             let repair = candidate.repair.and_then(|(at, _)| repairs.get(usize::from(at)));
             let &Candidate { hypothesis, mut share, is_turned, gathering, .. } = candidate;
@@ -259,7 +262,12 @@ impl<M: AgentMemory> Agent<M> {
             let done = self.done(domain);
             let (mut judged, first) = match repair {
                 Some(repair) => (Judged { probability: share * repair.judged.probability, ..repair.judged }, None),
-                None => self.read(domain, *candidate, command, explained, context, parting)?,
+                None => self.read(domain, Candidate { is_explained, ..*candidate }, command, explained, context, parting)?,
+            };
+            is_explained = match candidate.choice {
+                _ if hypothesis != Hypothesis::Command || repair.is_some() => false,
+                Choice::Likeliest => !explained.points_back,
+                _ => is_explained,
             };
             if gathering.is_some() {
                 let weight = explained.here.scaled_by(GATHERED);
@@ -332,6 +340,9 @@ impl<M: AgentMemory> Agent<M> {
                 (*meaning.candidate, probability, is_accepted)
             });
         let (judged, _) = self.read(domain, candidate, command, explained, context, parting_of(candidate))?;
+        if let Some(among) = self.among(candidate.choice, explained) {
+            explained.prefer(among);
+        }
         if judged.is_negated {
             self.negate(explained);
             self.plan_for(domain, self.task_count)?;
@@ -360,9 +371,13 @@ impl<M: AgentMemory> Agent<M> {
             return Ok((self.judge_repaired(Judged::likely(hypothesis, words, probability, command), shape, explained), None));
         }
         let (Hypothesis::Several, Some(parting)) = (hypothesis, parting) else {
-            self.explain_all(domain, words, View::PLAIN, context, explained)?;
             let likely = Judged::likely(hypothesis, words, probability, command);
-            let refers = explained.points_back;
+            // A prohibition, and a command about all things, are explained without their cues.
+            let has_cues = hypothesis == Hypothesis::Negated && negated(words).is_some() || hypothesis == Hypothesis::All && all(words).is_some();
+            if !candidate.is_explained && !has_cues {
+                self.explain_all(domain, words, View::PLAIN, context, explained)?;
+            }
+            let refers = !has_cues && explained.points_back;
             if hypothesis == Hypothesis::Command && candidate.choice == Choice::Plain && !refers {
                 return Ok((likely, None));
             }
@@ -440,15 +455,15 @@ impl<M: AgentMemory> Agent<M> {
     ) -> Result<Option<Judged<'w>>, AgentError> {
         let Judged { words, probability, .. } = likeliest;
         let Some(rest) = negated(words) else { return Ok(None) };
+        // A reading against a double negation is one only where there is one.
+        if choice == Choice::Plain && !rest.is_double {
+            return Ok(Some(likeliest));
+        }
         self.explain_all(domain, rest.words, rest.view, context, explained)?;
         // "Both chairs out of the red room".
         let is_of_several = is_of_several(words) && choice == Choice::Likeliest;
         let all = if is_of_several { self.all_that_fit(domain, explained) } else { (TaskSet::EMPTY, 0.0) };
-        // A reading against a double negation is one only where there is one.
-        let is_possible = choice != Choice::Plain || rest.is_double;
-        let Some((task, of_task)) = explained.chosen(self.among(choice, explained)).filter(|_| is_possible) else {
-            return Ok(Some(likeliest));
-        };
+        let Some((task, of_task)) = explained.chosen(self.among(choice, explained)) else { return Ok(Some(likeliest)) };
         let is_of_thing = self.place_of_thing(domain, task).is_some();
         // "Don't leave the red room" asks for a goal that holds, "don't leave the bag in the red room" does not.
         let holds = rest.is_double && choice != Choice::Plain && !(is_of_thing && words.any(&|word| word.leaves));
