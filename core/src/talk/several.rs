@@ -145,12 +145,17 @@ impl<M: AgentMemory> Agent<M> {
                 let (mut clause, context) = (words.part(start, end), if first > 0 { context.after_first() } else { context });
                 let mut here = self.clause(domain, clause, context)?;
                 let mut is_shared = false;
-                if let Some(shared) = next.and_then(|&(begin, end)| shared_place(clause, words.part(begin, end))) {
-                    let with_place = clause.with(shared);
+                // The place may be a clause of its own: "the bag and the red bench | to the blue room".
+                let with_place = |&(begin, end): &(usize, usize)| {
+                    let behind = clauses.get(after.saturating_add(1)).filter(|clause| clause.0 == end && !words.part(begin, end).has_way());
+                    words.part(begin, behind.map_or(end, |clause| clause.1))
+                };
+                if let Some(shared) = next.and_then(|next| shared_place(clause, with_place(next))) {
+                    let with_shared = clause.with(shared);
                     let prior = shared.iter().fold(SHARED, |prior, _| prior / SAID_ONCE);
-                    let other = self.clause(domain, with_place, context)?.scaled_by(prior);
+                    let other = self.clause(domain, with_shared, context)?.scaled_by(prior);
                     if other.exceeds(here) {
-                        (here, clause, is_shared) = (other, with_place, true);
+                        (here, clause, is_shared) = (other, with_shared, true);
                     }
                 }
                 let connective = match next {

@@ -10,7 +10,7 @@ use super::readings::{GATHERED, GATHERINGS, Gathering, Name, WithoutCues, all, g
 use super::recalled::of_last;
 use super::repair::{Shape, WEIGHED};
 use super::several::Parting;
-use super::syntax::{has_new_name, is_question};
+use super::syntax::has_new_name;
 use super::words::Words;
 use crate::memory::AgentMemory;
 use crate::oomdp::Domain;
@@ -21,8 +21,8 @@ use crate::voice::classes::Class;
 use heapless::Vec;
 
 /// The most readings of an utterance that are compared: repairs, gatherings, four for each order of several commands, four of a
-/// command and of a prohibition, and one of all things.
-const MEANINGS: usize = WEIGHED + GATHERINGS + 2 * 4 + 2 * 4 + 1;
+/// command and three of a prohibition, and one of all things.
+const MEANINGS: usize = WEIGHED + GATHERINGS + 2 * 4 + 4 + 3 + 1;
 
 /// From this probability on, an uncertain reading says more than the likeliest hypothesis that asks for nothing.
 const WORTH_ASKING: f32 = 0.4;
@@ -90,11 +90,11 @@ pub(super) enum Choice {
     /// The likeliest.
     Likeliest,
     /// Of the first of several commands the plain command, although another reading of it is likelier: "but first take ..."; of words that
-    /// negate twice the plain prohibition: "it can't go out there"; of words that may refer, those that do not: "wait in the red room".
+    /// may refer, those that do not: "wait in the red room".
     Plain,
     /// The likeliest task about all that is named, although another one is likelier: "don't let the basket go into the red room".
     AllNamed,
-    /// The likeliest task of another kind than the likeliest of all: "put yourself in the red room".
+    /// The likeliest task of another kind, about another thing, than the likeliest of all: "put yourself in the red room".
     OtherKind,
 }
 
@@ -138,8 +138,6 @@ struct Meaning<'w, 'c> {
     /// Its tasks, whether they are forbidden, and whether others follow.
     asked: (TaskSet, bool, bool),
     odds: f32,
-    /// Its probability if it refers to an earlier sentence and is clear; else 0.
-    clear: f32,
     /// The robot acts on it if it is more probable than this.
     least: f32,
 }
@@ -210,7 +208,7 @@ impl<M: AgentMemory> Agent<M> {
                 _ if candidate.repair.is_some() || candidate.gathering.is_some() => &[Choice::Likeliest],
                 Hypothesis::Several => &[Choice::Likeliest, Choice::Plain, Choice::AllNamed, Choice::OtherKind],
                 Hypothesis::Command => &[Choice::Likeliest, Choice::AllNamed, Choice::OtherKind, Choice::Plain],
-                Hypothesis::Negated => &[Choice::Likeliest, Choice::AllNamed, Choice::OtherKind, Choice::Plain],
+                Hypothesis::Negated => &[Choice::Likeliest, Choice::AllNamed, Choice::OtherKind],
                 _ => &[Choice::Likeliest],
             };
             for &choice in choices {
@@ -249,10 +247,12 @@ impl<M: AgentMemory> Agent<M> {
             };
             let is_near = |word: &Heard| gathering.is_none_or(|(_, name)| name.is_near(said, word));
             let between = between.map(|(words, sign)| sorts.between(words, &is_near, sign));
-            // New words forbid, or mean all things, only if people were heard to say so with them: a young robot takes its first words for
-            // commands.
+            // New words forbid, mean all things, or change what was done only if people were heard to say so with them: a young robot takes its
+            // first words for commands.
+            let changes = repair.is_some_and(|repair| repair.shape.change().is_some());
             let is_heard = match gathering {
                 Some(_) => between.is_some_and(|words| words.asks()),
+                None if changes => between.is_some_and(|words| words.repairs()),
                 None => hypothesis != Hypothesis::Negated || has_negation(words) || sorts.forbids(),
             };
             let observe = context.wording.observe;
@@ -298,8 +298,6 @@ impl<M: AgentMemory> Agent<M> {
                 lessons: self.language().bitext().sessions(),
                 doubts: judged.doubts,
             };
-            // The trained weights know few conversations. What refers to earlier sentences need not be so probable, if it is clear.
-            let is_clear = clues.points_back && clues.is_clear() && !is_question(words) && !words.has(Class::If);
             let odds = odds(&clues);
             let Judged { hypothesis, tasks, is_negated, rest, .. } = judged;
             if let Some(observe) = observe {
@@ -312,7 +310,6 @@ impl<M: AgentMemory> Agent<M> {
                 candidate,
                 asked: (tasks, is_negated, rest.is_some()),
                 odds,
-                clear: if repair.is_none() && is_clear { share * clues.of_tasks } else { 0.0 },
                 least: match () {
                     () if judged.doubts.has(Doubt::Impossible as usize) => f32::INFINITY,
                     // After the first of several commands, the others follow.
@@ -327,10 +324,10 @@ impl<M: AgentMemory> Agent<M> {
         let mut best: Option<(&Meaning<'w, '_>, f32, bool)> = None;
         for meaning in &meanings {
             let same = meanings.iter().filter(|other| other.asked == meaning.asked).map(|other| other.odds).sum::<f32>();
-            let probability = (same / sum).max(meaning.clear);
+            let probability = same / sum;
             // Of those with the same tasks, the later takes back nothing, or says how many are meant.
             if best.is_none_or(|(_, most, _)| probability >= most) {
-                best = Some((meaning, probability, meaning.clear > 0.0 || probability > meaning.least));
+                best = Some((meaning, probability, probability > meaning.least));
             }
         }
         // A reading that is improbable says less than the likeliest hypothesis.
@@ -455,10 +452,6 @@ impl<M: AgentMemory> Agent<M> {
     ) -> Result<Option<Judged<'w>>, AgentError> {
         let Judged { words, probability, .. } = likeliest;
         let Some(rest) = negated(words) else { return Ok(None) };
-        // A reading against a double negation is one only where there is one.
-        if choice == Choice::Plain && !rest.is_double {
-            return Ok(Some(likeliest));
-        }
         self.explain_all(domain, rest.words, rest.view, context, explained)?;
         // "Both chairs out of the red room".
         let is_of_several = is_of_several(words) && choice == Choice::Likeliest;
@@ -466,7 +459,7 @@ impl<M: AgentMemory> Agent<M> {
         let Some((task, of_task)) = explained.chosen(self.among(choice, explained)) else { return Ok(Some(likeliest)) };
         let is_of_thing = self.place_of_thing(domain, task).is_some();
         // "Don't leave the red room" asks for a goal that holds, "don't leave the bag in the red room" does not.
-        let holds = rest.is_double && choice != Choice::Plain && !(is_of_thing && words.any(&|word| word.leaves));
+        let holds = rest.is_double && !(is_of_thing && words.any(&|word| word.leaves));
         // "The red chair must not end up in the blue room", "I don't want you in the red room".
         let is_whole = explained.whole.contains(task) || self.is_only_one(domain, explained, task);
         let has_act = explained.acts || context.earlier.is_rest;
@@ -491,7 +484,7 @@ impl<M: AgentMemory> Agent<M> {
                 (Doubt::NoAct, !is_told),
                 (Doubt::Impossible, !is_possible),
                 (Doubt::Unfitting, !explained.fitting.contains(task)),
-                (Doubt::Outweighed, matches!(choice, Choice::AllNamed | Choice::Plain)),
+                (Doubt::Outweighed, choice == Choice::AllNamed),
                 (Doubt::OtherKind, choice == Choice::OtherKind),
                 (Doubt::TwoThings, !explained.of_one.contains(task)),
             ]),
@@ -555,8 +548,10 @@ impl<M: AgentMemory> Agent<M> {
             Choice::Likeliest | Choice::Plain => None,
             Choice::AllNamed => Some(explained.fitting),
             Choice::OtherKind => {
-                let kind = self.task(explained.best().0).lifted;
-                Some((0..self.task_count).filter(|&task| self.task(task).lifted != kind).collect())
+                let (best, _) = explained.best();
+                // Whether the same thing is to be switched on or off, act words tell.
+                let is_other = |&task: &usize| self.task(task).lifted != self.task(best).lifted && self.thing(task) != self.thing(best);
+                Some((0..self.task_count).filter(is_other).collect())
             }
         }
     }

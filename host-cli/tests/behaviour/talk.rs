@@ -525,12 +525,19 @@ fn phrases_that_name_nothing_are_beside_the_command_and_words_outside_a_task_spe
 }
 
 #[test]
+fn a_present_place_with_out_of_forbids_nothing_where_another_place_follows() {
+    let (_folder, model) = taught(120, &ENGLISH);
+    let words = "take the yellow bag out of the green room to the blue room";
+    let [answer] = &asked(&model, &three_rooms(), &[words.to_owned()])[..] else { panic!("one answer") };
+    assert!(answer["task"] == take(0, 1) && answer["verdict"] != "none", "{answer}");
+}
+
+#[test]
 fn what_only_sounds_like_a_negation_is_not_followed() {
     let (_folder, model) = taught(120, &ENGLISH);
     let cases = [
         ("don't leave the blue room", "unsure", ""),
         ("not the red one", "unsure", ""),
-        ("take the yellow bag out of the green room to the blue room", "unsure", ""),
         ("go to the red room or to the blue room", "unsure", ""),
         ("don't go to the purple room", "none", ""),
         ("never mind", "none", ""),
@@ -958,7 +965,7 @@ fn the_other_one_is_the_other_of_its_kind_and_goes_to_the_same_place() {
 #[test]
 fn a_task_that_is_done_can_still_be_corrected_taken_back_and_forbidden() {
     let (_folder, model) = taught(120, &ENGLISH);
-    let blocks = vec![("yellow", "bag", 1), ("red", "chair", 1)];
+    let blocks = vec![("yellow", "bag", 1), ("red", "chair", 3)];
     let home = Home { rooms: vec!["red", "blue", "green", "purple"], blocks, robot: 0 };
     let cases = [
         ("take the yellow bag to the green room", "sure", "blockInRoom(block0,room2)"),
@@ -970,7 +977,7 @@ fn a_task_that_is_done_can_still_be_corrected_taken_back_and_forbidden() {
     let cases = [
         ("take the yellow bag to the green room", "sure", "blockInRoom(block0,room2)"),
         ("not the bag I meant the chair", "sure", "blockInRoom(block1,room2)"),
-        ("put that one back where it was", "sure", "blockInRoom(block1,room1)"),
+        ("put that one back where it was", "sure", "blockInRoom(block1,room3)"),
     ];
     check_conversation(&model, &home, &cases);
 }
@@ -1036,7 +1043,9 @@ fn the_table_of_closed_words_can_be_printed_and_replaced() {
         (answer["verdict"].clone(), answer["task"].clone())
     };
     assert_eq!(verdict(&printed.output), (json!("sure"), json!("agentInRoom(agent0,room1)")));
-    assert_eq!(verdict(&format!("{}\nnegation: zounds\n", printed.output)), (json!("done"), json!("!agentInRoom(agent0,room1)")));
+    // It was not trained on this word, so it may ask.
+    let (verdict, task) = verdict(&format!("{}\nnegation: zounds\n", printed.output));
+    assert!(verdict != "sure" && task == "!agentInRoom(agent0,room1)", "{verdict} {task}");
 
     std::fs::write(&file, "negation: not\ncolour: red\n").expect("a file");
     let home = folder.path().join("home.json").to_str().expect("a name").to_owned();

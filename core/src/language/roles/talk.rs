@@ -338,7 +338,7 @@ fn value_of(tables: TablesRef<'_>, word: Symbol) -> Option<Symbol> {
 /// names none.
 const NAME: f32 = 0.8;
 
-/// Whether nearly all commands that have a word are about something with this value. If all lessons start in one place, words of every
+/// Whether nearly all commands that have a word, if any has it, are about something with this value. If all lessons start in one place, words of every
 /// command occur with that place and do not name it.
 fn is_of_things(bitext: BitextRef<'_>, word: Symbol, value: Symbol) -> bool {
     let (mut with, mut all) = (0.0_f32, 0.0_f32);
@@ -350,7 +350,7 @@ fn is_of_things(bitext: BitextRef<'_>, word: Symbol, value: Symbol) -> bool {
             with += if is_of_thing { pair.weight } else { 0.0 };
         }
     }
-    with > NAME * all
+    all == 0.0 || with > NAME * all
 }
 
 /// How much each lifted task was meant in the sessions that have something, and in all.

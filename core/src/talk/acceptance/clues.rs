@@ -170,6 +170,11 @@ impl<'u> Sorts<'u> {
         self.spoken.says(kind(Hypothesis::Command).unwrap_or(0)) > 0.0
     }
 
+    /// Whether its words speak for a repair.
+    pub fn repairs(&self) -> bool {
+        self.spoken.says(KINDS_OF_WORDS) > 0.0
+    }
+
     /// Of some of its words, with a sign before each of those that are near, such as [`BETWEEN`](super::BETWEEN).
     pub fn between(&self, words: Words<'_>, is_near: &dyn Fn(&Heard) -> bool, sign: &'static str) -> Self {
         let sorts = words.iter().fold(0, |all, word| all | sorts(word, word));
@@ -225,11 +230,6 @@ pub struct Clues<'s> {
 }
 
 impl Clues<'_> {
-    /// Whether the words make the reading probable, and nothing speaks against it.
-    pub(in super::super) fn is_clear(&self) -> bool {
-        self.doubts == Doubts::NONE && self.share * self.of_tasks >= clear_from(self.lessons)
-    }
-
     /// The kind of the reading, from 1 to [`KINDS`].
     fn kind(&self) -> usize {
         match (self.repair, self.gathering) {
