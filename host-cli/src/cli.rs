@@ -26,9 +26,7 @@ use goodbot_console::printed::printable;
 use goodbot_lab::acts::ActsOptions;
 use goodbot_lab::evaluate::EvaluateOptions;
 use goodbot_lab::fit_trainers::FitOptions;
-use goodbot_lab::questions::QuestionsOptions;
 use goodbot_lab::study::StudyOptions;
-use goodbot_lab::ways::WaysOptions;
 use std::borrow::Cow;
 use std::ffi::OsString;
 
@@ -92,10 +90,6 @@ pub enum Command {
     /// Train on recorded sessions, ask for those left out, and count right answers
     Evaluate(EvaluateOptions),
     Replay(ReplayArgs),
-    /// Simulate sessions with questions and without: what they cost and what they save
-    Questions(QuestionsOptions),
-    /// Simulate how the robot learns commands with a way: through a room, or around it
-    Ways(WaysOptions),
     /// Fit trainer strategies to the words of real trainers
     FitTrainers(FitOptions),
     /// Train the model that decides whether a robot acts on what was said

@@ -31,7 +31,7 @@ mod words;
 use clap::{CommandFactory, FromArgMatches};
 use cli::{Cli, Color, Command};
 use goodbot_console::{Failure, messages, outcome, printed};
-use goodbot_lab::{acts, evaluate, fit_trainers, questions, study, ways};
+use goodbot_lab::{acts, evaluate, fit_trainers, study};
 use std::ffi::OsString;
 use std::io::Write;
 
@@ -61,9 +61,7 @@ pub fn run(typed: &[OsString]) -> u8 {
         Command::Learn(options) => learn::run(&options),
         Command::Ask(options) => ask::run(&options),
         Command::Inspect(options) => inspect::run(&options),
-        Command::Questions(options) => questions::run(&options),
         Command::Acts(options) => acts::run(&options),
-        Command::Ways(options) => ways::run(&options),
         Command::FitTrainers(options) => fit_trainers::run(&options),
         Command::Replay(args) => replay::run(&args),
         Command::Check(args) => check::run(&args),
