@@ -137,7 +137,7 @@ pub fn assert_well_formed(svg: &str) {
 }
 
 /// Every command that reads files of strangers. `~` stands for the hostile text.
-pub const COMMANDS: [&str; 37] = [
+pub const COMMANDS: [&str; 36] = [
     "check home.json",
     "check log.jsonl world.json fault.json",
     "check --json log.jsonl world.json fault.json home.json",
@@ -168,7 +168,6 @@ pub const COMMANDS: [&str; 37] = [
     "fit-trainers log.jsonl",
     "table world.json --c",
     "table world.json --rust",
-    "teach home.json --picture screen.svg --command to~ --intended agentInRoom(agent0,room1)",
     "teach home.json --lines",
     "teach world.json --lines",
     "doctor home.json log.jsonl fault.json",
