@@ -4,7 +4,6 @@ use crate::ask::AskOptions;
 use crate::check::CheckArgs;
 use crate::convert::ConvertArgs;
 use crate::diff::DiffArgs;
-use crate::doctor::DoctorArgs;
 use crate::example::Example;
 use crate::inspect::InspectOptions;
 use crate::learn::LearnOptions;
@@ -106,7 +105,11 @@ pub enum Command {
     Migrate(MigrateArgs),
     Diff(DiffArgs),
     Unlearn(UnlearnArgs),
-    Doctor(DoctorArgs),
+    /// Find faults of the terminal and of your robots, and how to mend them
+    #[command(
+        after_help = "It changes nothing. goodbot check names the faults of files.\n\nExit codes: 0 nothing is wrong, 1 something is."
+    )]
+    Doctor,
     Study(StudyOptions),
     /// Print a home or a session log to begin with
     #[command(arg_required_else_help = true)]

@@ -74,7 +74,7 @@ pub fn run(typed: &[OsString]) -> u8 {
         Command::Diff(args) => diff::run(&args),
         Command::Migrate(args) => migrate::run(&args),
         Command::Unlearn(args) => unlearn::run(&args),
-        Command::Doctor(args) => doctor::run(&args),
+        Command::Doctor => doctor::run(),
         Command::Evaluate(options) => evaluate::run(&options),
         Command::Study(options) => study::run(&options),
         Command::Example { what } => example::run(what),
