@@ -133,7 +133,7 @@ fn what_was_asked_for_is_written_although_the_reader_has_left() {
         &["inspect", "model", "--plot", "picture.svg"],
         &["evaluate", "log.jsonl", "--json", "--plot", "picture.svg"],
         &["paper", "--plot", "picture.svg"],
-        &["paper", "--runs", "3", "--json", "--plot", "picture.svg"],
+        &["study", "--courses", "paper", "--agents", "paper", "--runs", "1", "--json", "--plot", "picture.svg"],
     ];
     for arguments in cases {
         let _ = fs::remove_file(place.path("picture.svg"));

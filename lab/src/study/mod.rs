@@ -50,7 +50,7 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use summary::Row;
 
-/// The trainers in the picture.
+/// The trainers in the picture, if none is named.
 const DRAWN: [&str; 2] = ["balanced", "mute"];
 
 const EXAMPLES: &str = "\
@@ -115,7 +115,7 @@ pub struct StudyOptions {
     /// Print the tables of docs/appendix/study.md
     #[arg(long, conflicts_with_all = ["json", "csv"])]
     pub tables: bool,
-    /// Write a picture of the tests that were right, with the trainers balanced and mute; - is standard output
+    /// Write a picture of the tests that were right, with --trainers or else balanced and mute; - is standard output
     #[arg(long, value_name = "FILE.svg", value_hint = ValueHint::FilePath)]
     pub plot: Option<PathBuf>,
     /// Print JSON lines
@@ -206,7 +206,7 @@ pub fn run(options: &StudyOptions) -> Result<(), Failure> {
     let (plan, runs) = options.runs()?;
     let rows = summary::rows(&plan, &runs);
     if let Some(plot) = plot {
-        let drawn: Vec<Row> = rows.iter().filter(|row| DRAWN.contains(&row.trainer)).cloned().collect();
+        let drawn: Vec<Row> = rows.iter().filter(|row| !options.trainers.is_empty() || DRAWN.contains(&row.trainer)).cloned().collect();
         plot.draw(summary::picture(&plan, &drawn))?;
     }
     if options.tables {

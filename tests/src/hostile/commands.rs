@@ -200,7 +200,7 @@ pub fn assert_harmless(place: &Place, command: &str, hostile: &str, program: &Pr
 }
 
 /// The pictures that the commands draw.
-pub const PICTURES: [&str; 3] = ["words.svg", "plot.svg", "screen.svg"];
+pub const PICTURES: [&str; 2] = ["words.svg", "plot.svg"];
 
 /// The input chooses a command, and either is a part of every name, word and id, or replaces or damages one of the files.
 pub fn commands(input: &[u8], program: &Program<'_>) {
