@@ -265,7 +265,7 @@ def curves(program, paths):
     for path in paths:
         sessions, halves = read(path)[0], ["--k-fold", "2", "--task", TWO_GOALS]
         # Only the order of these answers matters; it is the same for every learner.
-        dealt = lambda seed: goodbot(program, path, *halves, "--seed", str(seed), "--learner", "bag-of-words")
+        dealt = lambda seed: goodbot(program, path, *halves, "--seed", str(seed), "--learner", "roles")
         orders = [order_of(parts_of(dealt(seed), sessions, 2)) for seed in range(1, ORDERS + 1)]
         for name, learner, settings, _ in peers():
             cells = []

@@ -4,13 +4,11 @@ use crate::ask::AskOptions;
 use crate::check::CheckArgs;
 use crate::convert::ConvertArgs;
 use crate::diff::DiffArgs;
-use crate::doctor::DoctorArgs;
 use crate::example::Example;
 use crate::inspect::InspectOptions;
 use crate::learn::LearnOptions;
 use crate::merge::MergeArgs;
 use crate::microbit::MicrobitOptions;
-use crate::migrate::MigrateArgs;
 use crate::paper::options::PaperOptions;
 use crate::parameters::ParametersArgs;
 use crate::replay::ReplayArgs;
@@ -26,9 +24,7 @@ use goodbot_console::printed::printable;
 use goodbot_lab::acts::ActsOptions;
 use goodbot_lab::evaluate::EvaluateOptions;
 use goodbot_lab::fit_trainers::FitOptions;
-use goodbot_lab::questions::QuestionsOptions;
 use goodbot_lab::study::StudyOptions;
-use goodbot_lab::ways::WaysOptions;
 use std::borrow::Cow;
 use std::ffi::OsString;
 
@@ -92,10 +88,6 @@ pub enum Command {
     /// Train on recorded sessions, ask for those left out, and count right answers
     Evaluate(EvaluateOptions),
     Replay(ReplayArgs),
-    /// Simulate sessions with questions and without: what they cost and what they save
-    Questions(QuestionsOptions),
-    /// Simulate how the robot learns commands with a way: through a room, or around it
-    Ways(WaysOptions),
     /// Fit trainer strategies to the words of real trainers
     FitTrainers(FitOptions),
     /// Train the model that decides whether a robot acts on what was said
@@ -109,10 +101,13 @@ pub enum Command {
     Microbit(MicrobitOptions),
     Parameters(ParametersArgs),
     Merge(MergeArgs),
-    Migrate(MigrateArgs),
     Diff(DiffArgs),
     Unlearn(UnlearnArgs),
-    Doctor(DoctorArgs),
+    /// Find faults of the terminal and of your robots, and how to mend them
+    #[command(
+        after_help = "It changes nothing. goodbot check names the faults of files.\n\nExit codes: 0 nothing is wrong, 1 something is."
+    )]
+    Doctor,
     Study(StudyOptions),
     /// Print a home or a session log to begin with
     #[command(arg_required_else_help = true)]
@@ -138,7 +133,7 @@ pub enum Command {
 /// The commands for most people.
 const EVERYDAY: [&str; 10] = ["teach", "learn", "ask", "inspect", "replay", "diff", "merge", "unlearn", "check", "example"];
 /// The commands for controllers.
-const BOARDS: [&str; 6] = ["size", "table", "convert", "microbit", "parameters", "migrate"];
+const BOARDS: [&str; 5] = ["size", "table", "convert", "microbit", "parameters"];
 /// The commands about the program itself.
 const ITSELF: [&str; 4] = ["doctor", "completions", "man", "help"];
 

@@ -1,45 +1,22 @@
-//! `goodbot doctor`: finds faults of the terminal, of robots that are kept by name, of files, and of the programs that tests use; and says how
-//! to mend them.
+//! `goodbot doctor`: finds faults of the terminal and of robots that are kept by name, and says how to mend them.
 
-use crate::check;
 use crate::teach::kept::RobotFiles;
-use clap::{Args, ValueHint};
 use goodbot::snapshot::Contents;
-use goodbot_console::load::input::Content;
 use goodbot_console::printed::is_terminal;
 use goodbot_console::whole_file::is_unfinished;
-use goodbot_console::{Failure, InputFile, counted, input, output, read_model};
-use serde_json::json;
+use goodbot_console::{Failure, counted, input, output, read_model};
 use std::fs::File;
-use std::io::{BufReader, IsTerminal, Read, Write, stdin};
+use std::io::{BufReader, IsTerminal, Write, stdin};
 use std::path::{Path, PathBuf};
 
 /// The smallest screen for `goodbot teach`: columns and rows.
 const LEAST_SCREEN: (u16, u16) = (24, 8);
 
-/// Find faults of the terminal, your robots, files and programs, and how to mend them
-#[derive(Clone, Debug, Args)]
-#[command(after_help = "\
-It looks at the terminal, at the robots that goodbot teach keeps by name, at the files that are named, and for the programs that \
-cargo xtask test uses. It changes nothing.
-
-Exit codes: 0 nothing is wrong, 1 something is; a program that only tests use may be missing.
-
-Example: goodbot doctor home.json words.goodbot")]
-pub struct DoctorArgs {
-    /// Files to look at too: models, homes, session logs
-    #[arg(value_name = "FILE", value_hint = ValueHint::FilePath)]
-    files: Vec<InputFile>,
-    /// Print a line of JSON for each finding
-    #[arg(long)]
-    json: bool,
-}
-
 /// The state of a finding.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum State {
     Fine,
-    /// Missing, but needed by few.
+    /// Something is missing, and the program works without it.
     Missing,
     Wrong,
 }
@@ -71,24 +48,12 @@ impl Finding {
 ///
 /// # Errors
 /// [`Failure::Result`] if anything is wrong.
-pub fn run(args: &DoctorArgs) -> Result<(), Failure> {
-    let mut sections = vec![("This program", vec![program()]), ("The terminal", terminal()), ("Robots that are kept by name", kept())];
-    if !args.files.is_empty() {
-        sections.push(("Files", args.files.iter().map(look_at).collect()));
-    }
-    sections.push(("Programs that only cargo xtask test uses", found()));
+pub fn run() -> Result<(), Failure> {
+    let sections = [("This program", vec![program()]), ("The terminal", terminal()), ("Robots that are kept by name", kept())];
     let mut out = output::text(&[])?;
     for (section, findings) in &sections {
-        if !args.json {
-            writeln!(out, "{section}")?;
-        }
-        for Finding { state, text } in findings {
-            if args.json {
-                writeln!(out, "{}", json!({"type": state.name(), "of": section, "text": text}))?;
-            } else {
-                writeln!(out, "  {:8} {}", state.name(), text)?;
-            }
-        }
+        writeln!(out, "{section}")?;
+        findings.iter().try_for_each(|Finding { state, text }| writeln!(out, "  {:8} {text}", state.name()))?;
     }
     out.flush()?;
     let wrong = sections.iter().flat_map(|(_, findings)| findings).filter(|finding| finding.state == State::Wrong).count();
@@ -127,58 +92,6 @@ fn terminal() -> Vec<Finding> {
     findings
 }
 
-/// Checks a named file.
-fn look_at(file: &InputFile) -> Finding {
-    match is_model(file) {
-        true => model(file.as_ref()),
-        false => match check::summary(file) {
-            Ok(what) => Finding::new(State::Fine, format!("{}: {what}", input::name(file))),
-            Err(fault) => Finding::new(State::Wrong, fault),
-        },
-    }
-}
-
-/// Each program, and its use.
-const PROGRAMS: [(&str, &str); 12] = [
-    ("git", "style checks"),
-    ("gcc", "the C interface"),
-    ("g++", "the C interface from C++"),
-    ("node", "the page"),
-    ("npm", "the page"),
-    ("python3", "the package for Python"),
-    ("qemu-system-arm", "the firmware"),
-    ("qemu-system-riscv32", "the firmware on RISC-V"),
-    ("arm-none-eabi-gcc", "C on controllers"),
-    ("clang", "the C header's layout"),
-    ("chromium-headless-shell", "the page"),
-    ("firefox-esr", "the page"),
-];
-
-/// The place of each program.
-fn found() -> Vec<Finding> {
-    let fetched_into = std::env::var_os("GOODBOT_PROGRAMS").unwrap_or_else(|| "target/programs".into());
-    let mut folders: Vec<_> = std::env::var_os("PATH").map(|path| std::env::split_paths(&path).collect()).unwrap_or_default();
-    folders.extend(launchers(fetched_into.as_ref()));
-    let mut findings: Vec<Finding> = PROGRAMS.iter().map(|(name, why)| look_for(name, why, &folders)).collect();
-    if findings.iter().any(|finding| finding.state == State::Missing) {
-        findings.push(Finding::new(State::Fine, "cargo xtask programs fetches those that it can, and names the others"));
-    }
-    findings
-}
-
-/// The folders of the launchers of fetched programs.
-fn launchers(fetched_into: &Path) -> impl Iterator<Item = PathBuf> {
-    std::fs::read_dir(fetched_into).into_iter().flatten().flatten().map(|program| program.path().join("launch"))
-}
-
-fn look_for(name: &str, why: &str, folders: &[impl AsRef<Path>]) -> Finding {
-    let file = format!("{name}{}", std::env::consts::EXE_SUFFIX);
-    match folders.iter().map(|folder| folder.as_ref().join(&file)).find(|path| path.is_file()) {
-        Some(path) => Finding::new(State::Fine, format!("{name}: {}", path.display())),
-        None => Finding::new(State::Missing, format!("{name}, for {why}")),
-    }
-}
-
 /// Checks all robots that are kept.
 fn kept() -> Vec<Finding> {
     let folder = match RobotFiles::folder() {
@@ -204,20 +117,6 @@ fn kept() -> Vec<Finding> {
         findings.push(Finding::new(State::Fine, format!("none yet in {}; goodbot teach makes one", folder.display())));
     }
     findings
-}
-
-/// Whether a file begins like a model.
-fn is_model(file: impl AsRef<Path>) -> bool {
-    let mut head = Vec::new();
-    File::open(file).and_then(|file| file.take(64).read_to_end(&mut head)).is_ok() && Content::of(&head) == Content::Model
-}
-
-/// Checks a single model.
-fn model(path: &Path) -> Finding {
-    match sessions(path) {
-        Ok(sessions) => Finding::new(State::Fine, format!("{}: a model of {}", path.display(), counted(sessions, "session"))),
-        Err(message) => Finding::new(State::Wrong, message),
-    }
 }
 
 /// The number of sessions of a model, or its fault.
@@ -259,41 +158,4 @@ fn robot(path: &Path) -> Finding {
         return Finding::new(State::Missing, text);
     }
     Finding::new(State::Fine, format!("{}: {}", path.display(), counted(known, "session")))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn every_program_that_the_tests_fetch_is_looked_for() {
-        let page = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("../CONTRIBUTING.md")).unwrap();
-        let (_, fetched) = page.split_once(" GB unpacked: ").unwrap();
-        let (fetched, _) = fetched.split_once("and Rust's targets").unwrap();
-        let named: Vec<&str> = fetched.split('`').skip(1).step_by(2).collect();
-        assert!(named.contains(&"qemu-system-arm"), "{named:?}");
-        for name in named {
-            assert!(PROGRAMS.iter().any(|(known, _)| *known == name), "{name}");
-        }
-    }
-
-    #[test]
-    fn a_program_is_found_in_a_folder_of_the_path_or_told_with_what_it_is_for() {
-        let folder = tempfile::tempdir().unwrap();
-        let file = folder.path().join(format!("node{}", std::env::consts::EXE_SUFFIX));
-        std::fs::write(&file, "").unwrap();
-        assert_eq!(look_for("node", "the page", &[folder.path()]).state, State::Fine);
-        assert_eq!(look_for("npm", "the page", &[folder.path()]), Finding::new(State::Missing, "npm, for the page"));
-    }
-
-    #[test]
-    fn a_program_that_was_fetched_is_found_by_its_launcher() {
-        let folder = tempfile::tempdir().unwrap();
-        let launch = folder.path().join("qemu-system-misc/launch");
-        std::fs::create_dir_all(&launch).unwrap();
-        std::fs::write(launch.join(format!("qemu-system-riscv32{}", std::env::consts::EXE_SUFFIX)), "").unwrap();
-        let folders: Vec<_> = launchers(folder.path()).collect();
-        assert_eq!(look_for("qemu-system-riscv32", "the firmware", &folders).state, State::Fine);
-        assert_eq!(launchers(&launch.join("missing")).count(), 0);
-    }
 }

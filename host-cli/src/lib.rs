@@ -18,7 +18,6 @@ mod inspect;
 mod learn;
 mod merge;
 mod microbit;
-mod migrate;
 mod paper;
 mod parameters;
 mod replay;
@@ -31,7 +30,7 @@ mod words;
 use clap::{CommandFactory, FromArgMatches};
 use cli::{Cli, Color, Command};
 use goodbot_console::{Failure, messages, outcome, printed};
-use goodbot_lab::{acts, evaluate, fit_trainers, questions, study, ways};
+use goodbot_lab::{acts, evaluate, fit_trainers, study};
 use std::ffi::OsString;
 use std::io::Write;
 
@@ -61,9 +60,7 @@ pub fn run(typed: &[OsString]) -> u8 {
         Command::Learn(options) => learn::run(&options),
         Command::Ask(options) => ask::run(&options),
         Command::Inspect(options) => inspect::run(&options),
-        Command::Questions(options) => questions::run(&options),
         Command::Acts(options) => acts::run(&options),
-        Command::Ways(options) => ways::run(&options),
         Command::FitTrainers(options) => fit_trainers::run(&options),
         Command::Replay(args) => replay::run(&args),
         Command::Check(args) => check::run(&args),
@@ -74,9 +71,8 @@ pub fn run(typed: &[OsString]) -> u8 {
         Command::Parameters(options) => parameters::run(&options),
         Command::Merge(options) => merge::run(&options),
         Command::Diff(args) => diff::run(&args),
-        Command::Migrate(args) => migrate::run(&args),
         Command::Unlearn(args) => unlearn::run(&args),
-        Command::Doctor(args) => doctor::run(&args),
+        Command::Doctor => doctor::run(),
         Command::Evaluate(options) => evaluate::run(&options),
         Command::Study(options) => study::run(&options),
         Command::Example { what } => example::run(what),

@@ -5,9 +5,7 @@
 //! | [`evaluate`] | trains on recorded sessions, asks for those left out, and counts right answers |
 //! | [`study`] | compares robots that learn from reward and punishment, with many kinds of trainers |
 //! | [`fit_trainers`] | fits the trainers to expect to the feedback of real ones |
-//! | [`questions`] | simulates sessions with questions and without |
 //! | [`acts`] | trains the model that decides whether a robot acts on what was said |
-//! | [`ways`] | simulates how the robot learns commands with a way |
 //!
 //! They share [`recorded`] for real trainers' sessions, [`calibration`] for figures, and [`canvas`] for pictures.
 
@@ -22,7 +20,5 @@ pub mod calibration;
 pub mod canvas;
 pub mod evaluate;
 pub mod fit_trainers;
-pub mod questions;
 pub mod recorded;
 pub mod study;
-pub mod ways;

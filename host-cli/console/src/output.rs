@@ -10,8 +10,6 @@ use std::path::{Path, PathBuf};
 
 /// The mark of a picture that goodbot drew.
 const MARK: &str = "<!-- drawn by goodbot -->";
-/// The mark of a page that goodbot wrote.
-const PAGE_MARK: &str = "<!-- written by goodbot -->";
 /// The first bytes of a model.
 const MODEL: &[u8] = b"goodbot\0";
 /// The first bytes of a micro:bit file: its first record is at the beginning of the flash.
@@ -35,8 +33,6 @@ pub enum Kind {
     Picture,
     /// A model.
     Model,
-    /// A page of Markdown.
-    Page,
     /// A micro:bit file.
     Microbit,
     /// A file of parameters.
@@ -50,7 +46,6 @@ impl Kind {
         match self {
             Self::Picture => "picture",
             Self::Model => "model",
-            Self::Page => "page",
             Self::Microbit => "micro:bit's file",
             Self::Parameters => "file of parameters",
             Self::Weights => "file of weights",
@@ -75,7 +70,6 @@ impl Kind {
                 Self::Parameters => head.starts_with(PARAMETERS) || head.starts_with(PARAMETERS_IN_C.as_bytes()),
                 Self::Weights => head.starts_with(WEIGHTS),
                 Self::Picture => String::from_utf8_lossy(&head).contains(MARK),
-                Self::Page => String::from_utf8_lossy(&head).contains(PAGE_MARK),
             }
     }
 }
@@ -171,10 +165,6 @@ impl Output {
         let marked;
         let bytes = match self.kind {
             Kind::Model | Kind::Microbit | Kind::Parameters | Kind::Weights => bytes,
-            Kind::Page => {
-                marked = [PAGE_MARK, "\n", &printable(&String::from_utf8_lossy(bytes))].concat();
-                marked.as_bytes()
-            }
             Kind::Picture => {
                 marked = with_mark(&well_formed(bytes));
                 marked.as_bytes()

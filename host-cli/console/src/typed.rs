@@ -24,24 +24,6 @@ pub fn seed(text: &str) -> Result<u64, String> {
     text.trim().parse().map_err(|_| format!("give a whole number from 0 to {}", u64::MAX))
 }
 
-/// A cost in steps: a number above 0, or `inf`.
-///
-/// # Errors
-/// The error says what to give.
-pub fn cost(text: &str) -> Result<f32, String> {
-    let number: Option<f32> = text.trim().parse().ok();
-    number.filter(|&number| number > 0.0).ok_or_else(|| "give a number of steps above 0, such as 4, or inf for never".to_owned())
-}
-
-/// The share of wrong answers: below one half.
-///
-/// # Errors
-/// The error says what to give.
-pub fn wrong_share(text: &str) -> Result<f32, String> {
-    let number: Option<f32> = text.trim().parse().ok();
-    number.filter(|number| (0.0..0.5).contains(number)).ok_or_else(|| "give a share from 0 to less than 0.5, such as 0.05".to_owned())
-}
-
 /// The probability above which a belief is clear: one half or more.
 ///
 /// # Errors
@@ -167,17 +149,9 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_cost_is_above_nothing_and_a_wrong_answer_is_rarer_than_a_right_one() {
-        assert_eq!([cost("4"), cost("inf")], [Ok(4.0), Ok(f32::INFINITY)]);
-        for wrong in ["-1", "0", "NaN", "many"] {
-            assert!(cost(wrong).unwrap_err().contains("above 0"), "{wrong}");
-        }
+    fn a_clear_belief_is_one_half_or_more_and_no_certainty() {
         assert_eq!([clear("0.5"), clear("0.95")], [Ok(0.5), Ok(0.95)]);
-        assert!(clear("1").is_err() && clear("0.4").is_err());
-        assert_eq!(wrong_share("0.05"), Ok(0.05));
-        for wrong in ["-1", "0.5", "NaN"] {
-            assert!(wrong_share(wrong).unwrap_err().contains("less than 0.5"), "{wrong}");
-        }
+        assert!(["1", "0.4", "NaN"].iter().all(|wrong| clear(wrong).is_err()));
     }
 
     #[test]

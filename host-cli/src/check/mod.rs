@@ -7,7 +7,6 @@ mod doubts;
 
 use clap::Args;
 use goodbot::Options;
-use goodbot::home::paper_tasks;
 use goodbot::oomdp::{Domain, check as soundness};
 use goodbot::talk::{Class, ClosedWords, ClosedWordsError};
 use goodbot::task::LiftedTask;
@@ -109,20 +108,6 @@ pub fn run(args: &CheckArgs) -> Result<(), Failure> {
         }
     }
     if sound { Ok(()) } else { Err(Failure::Told) }
-}
-
-/// The kind and size of a file without faults.
-///
-/// # Errors
-/// The first fault, and the number of the others.
-pub fn summary(file: &InputFile) -> Result<String, String> {
-    let lifted = paper_tasks().map_err(|error| error.to_string())?;
-    let found = check(file, &lifted, Limit::default()).map_err(|fault| fault.to_string())?;
-    match found.faults.split_first() {
-        None => Ok(found.what),
-        Some((first, [])) => Err(first.to_string()),
-        Some((first, rest)) => Err(format!("{first}; and {} more: goodbot check {} names all", rest.len(), input::name(file))),
-    }
 }
 
 fn tell(file: &str, found: &Findings) -> std::io::Result<()> {

@@ -1,16 +1,14 @@
 //! `goodbot paper`: the paper's experiment.
 //!
 //! - [`options`]: the options, with trainers by name or numbers;
-//! - [`sweep`]: a range of values for a number of the trainer, and all combinations of sweeps;
 //! - [`experiment`]: the runs, and the paper's own results;
 //! - [`story`]: one run as it happens;
-//! - [`summary`]: the summary of all runs, as tables, JSON and pictures.
+//! - [`summary`]: the summary of all runs, as tables and JSON; the learned words of one run as a picture.
 
 mod experiment;
 pub mod options;
 mod story;
 pub mod summary;
-pub mod sweep;
 
 use goodbot_console::{Failure, Output, output, say};
 use goodbot_course::{LESSONS, TESTS};
@@ -18,7 +16,6 @@ use options::PaperOptions;
 use std::io::Write;
 use std::path::Path;
 use summary::{Summary, run_to_json};
-use sweep::{Setting, settings};
 
 /// Runs the experiment, and prints it in the form that the options choose.
 ///
@@ -49,31 +46,21 @@ fn one_run(options: &PaperOptions, target: Option<&Output>, out: &mut impl Write
 }
 
 fn many_runs(options: &PaperOptions, target: Option<&Output>, out: &mut impl Write) -> Result<(), Failure> {
-    let mut rows: Vec<(Setting, Summary)> = Vec::new();
-    for setting in settings(options).map_err(Failure::Input)? {
-        let runs = experiment::run_all(&setting.options)?;
-        let summary = Summary::of(&runs);
-        if let Some(target) = target {
-            let lone = runs.first().filter(|_| runs.len() == 1);
-            let drawn = match lone {
-                Some(run) => summary::learned_words(&experiment::run_seed(options, run.seed, &mut ())?.1),
-                None => summary::shares(&summary, options),
-            };
-            picture(target, drawn)?;
-        }
-        if options.json {
-            for run in &runs {
-                writeln!(out, "{}", run_to_json(run))?;
-            }
-            writeln!(out, "{}", summary.to_json(&setting))?;
-        }
-        rows.push((setting, summary));
+    if target.is_some() && options.runs > 1 {
+        return Err(Failure::Input("--plot draws the words that one robot learned; leave out --runs".to_owned()));
     }
-    match rows.as_slice() {
-        _ if options.json => {}
-        rows if options.csv => summary::csv(out, options, rows)?,
-        [(_, summary)] if options.sweep.is_empty() => summary::many_runs(out, options, summary)?,
-        rows => summary::sweep(out, options, rows)?,
+    let runs = experiment::run_all(options)?;
+    let summary = Summary::of(&runs);
+    if let (Some(target), [run]) = (target, runs.as_slice()) {
+        picture(target, summary::learned_words(&experiment::run_seed(options, run.seed, &mut ())?.1))?;
+    }
+    if options.json {
+        runs.iter().try_for_each(|run| writeln!(out, "{}", run_to_json(run)))?;
+        writeln!(out, "{}", summary.to_json(options))?;
+    } else if options.csv {
+        summary::csv(out, options, &summary)?;
+    } else {
+        summary::many_runs(out, options, &summary)?;
     }
     Ok(())
 }

@@ -1,6 +1,5 @@
 //! The options of `goodbot paper`, with trainers by name or numbers.
 
-use super::sweep::Sweep;
 use clap::{Args, ValueEnum, ValueHint};
 use goodbot::feedback::Strategy;
 use goodbot::session::Weights;
@@ -26,7 +25,7 @@ With --json there is one line for each run, and a last line for all together:
   translations    mean probability of a word given a machine token
   feedback        how often the trainers rewarded, punished or were silent, all runs together
   paper           the paper's results for its one agent
-With --csv there is a line for each setting; --sweep makes many.
+With --csv there is a line of names, and one of values.
 
 What you see: the robot hears a command in words that it may not know. For every task that is \
 possible in the home it holds a belief, acts for the most likely one, and changes its mind as the \
@@ -36,9 +35,9 @@ two are new. A test is right if the most likely task is the intended one.
 
 Examples:
   goodbot paper --seed 3 --layouts random
-  goodbot paper --runs 200 --seed 1 --layouts fixed --plot shares.svg
+  goodbot paper --runs 200 --seed 1 --layouts fixed
   goodbot paper --trainer 0.6,0.2,0.05 --believes balanced --runs 50 --json
-  goodbot paper --runs 100 --sweep mu-plus=0.1..0.9:0.2 --csv > sweep.csv";
+  for mu in 0.1 0.5 0.9; do goodbot paper --runs 100 --trainer $mu,0.7,0.1 --csv | tail -1; done";
 
 /// The options of the experiment.
 #[derive(Clone, Debug, Args)]
@@ -64,16 +63,13 @@ pub struct PaperOptions {
     /// The learner
     #[arg(long, value_enum, value_name = "NAME", default_value_t = Learner::Roles)]
     pub learner: Learner,
-    /// Sweep a number of the trainer through a range, such as mu-plus=0.1..0.9:0.2; repeat it for all combinations
-    #[arg(long, value_name = "NUMBER=FROM..TO:STEP", conflicts_with = "plot")]
-    pub sweep: Vec<Sweep>,
     /// Print JSON lines: one for each run, and a summary at the end
     #[arg(long)]
     pub json: bool,
-    /// Print a table of comma-separated values: a line for each setting
+    /// Print comma-separated values: a line of names, and one of values
     #[arg(long, conflicts_with = "json")]
     pub csv: bool,
-    /// Write a picture: learned words for one run, shares of right answers for several; - is standard output
+    /// Write a picture of the words that one robot learned; - is standard output
     #[arg(long, value_name = "FILE.svg", value_hint = ValueHint::FilePath)]
     pub plot: Option<PathBuf>,
     /// Replace a file that is no picture of goodbot's
@@ -111,7 +107,7 @@ impl From<WeightsChoice> for Weights {
 impl PaperOptions {
     /// Whether a single run is told as a story.
     pub fn is_story(&self) -> bool {
-        self.runs == 1 && !self.json && !self.csv && self.sweep.is_empty()
+        self.runs == 1 && !self.json && !self.csv
     }
 
     /// The homes; by default fixed for a single run, random for several, however results are shown.

@@ -1,14 +1,13 @@
-//! The results: a summary of all runs, as tables, as JSON lines and as pictures; and the learned words of one run as a picture.
+//! The results: a summary of all runs, as tables and as JSON lines; and the learned words of one run as a picture.
 
 use super::experiment::{REPORTED, Run};
 use super::options::PaperOptions;
-use super::sweep::Setting;
 use crate::words::Lexicon;
 use goodbot_console::printed::Cell;
 use goodbot_console::{counted, name_of, printed};
 use goodbot_course::{FeedbackCounts, LESSONS, TESTS};
 use goodbot_lab::calibration::{Mean, wilson};
-use goodbot_lab::canvas::{BLUE, GREEN, INK, PALE, draw, write};
+use goodbot_lab::canvas::{INK, PALE, draw, write};
 use plotters::prelude::*;
 use plotters::style::text_anchor::HPos;
 use serde_json::{Map, Value, json};
@@ -47,8 +46,7 @@ impl Summary {
     }
 
     /// The last line of `--json`.
-    pub fn to_json(&self, setting: &Setting) -> Value {
-        let options = &setting.options;
+    pub fn to_json(&self, options: &PaperOptions) -> Value {
         let share = |right: usize| right as f64 / self.runs.max(1) as f64;
         let interval = |right: usize| <[f64; 2]>::from(wilson(right, self.runs));
         let mut line = json!({
@@ -71,9 +69,6 @@ impl Summary {
         if let Some(paper) = options.reported_by_paper() {
             let values = paper.translations.map(translations);
             line["paper"] = json!({"tests_right": paper.tests, "train_right": paper.lessons, "translations": values});
-        }
-        for (sweep, &value) in options.sweep.iter().zip(&setting.values) {
-            line["sweep"][&sweep.name] = json!(rounded(value));
         }
         line
     }
@@ -174,45 +169,26 @@ pub fn many_runs(out: &mut impl Write, options: &PaperOptions, summary: &Summary
     writeln!(out, "\nFeedback: {} \"good bot\", {} \"bad bot\", {} times nothing", feedback.reward, feedback.punish, feedback.neutral)
 }
 
-/// Sweeps: a line for each setting.
-pub fn sweep(out: &mut impl Write, options: &PaperOptions, rows: &[(Setting, Summary)]) -> io::Result<()> {
-    let (homes, learner) = (name_of(options.homes()), name_of(options.learner));
-    writeln!(out, "{} for each setting, {homes} homes, learner {learner}\n", counted(options.runs as usize, "agent"))?;
-    let names: Vec<String> = options.sweep.iter().map(|sweep| format!("{:>17}", sweep.name)).collect();
-    writeln!(out, "{}  all five tests right, 95 % interval", names.join(" "))?;
-    for (setting, summary) in rows {
-        let values: Vec<String> = setting.values.iter().map(|value| format!("{value:>17}")).collect();
-        writeln!(out, "{}  {}", values.join(" "), share(summary.test_all_right, summary.runs))?;
-    }
-    Ok(())
-}
-
-/// A line of comma-separated values for each setting.
-pub fn csv(out: &mut impl Write, options: &PaperOptions, rows: &[(Setting, Summary)]) -> io::Result<()> {
-    let mut names: Vec<String> = options.sweep.iter().map(|sweep| sweep.name.clone()).collect();
+/// The names of the values, and a line with these.
+pub fn csv(out: &mut impl Write, of: &PaperOptions, summary: &Summary) -> io::Result<()> {
     let fixed = ["trainer", "believes", "layouts", "learner", "seed", "runs", "all_right", "all_right_low", "all_right_high"];
-    names.extend(fixed.map(str::to_owned));
+    let mut names: Vec<String> = fixed.map(str::to_owned).into();
     names.extend((1..=LESSONS.len()).map(|number| format!("lesson_{number}")));
     names.extend((1..=TESTS.len()).map(|number| format!("test_{number}")));
     names.extend(REPORTED.iter().map(|(token, _, word)| format!("t_{word}_given_{token}")));
     names.extend(["rewards", "punishments", "silences"].map(str::to_owned));
     printed::csv_line(out, names.into_iter().map(Cell::Text))?;
-    for (setting, summary) in rows {
-        let of = &setting.options;
-        let share = |right: usize| right as f64 / summary.runs.max(1) as f64;
-        let (low, high) = wilson(summary.test_all_right, summary.runs);
-        let mut cells: Vec<Cell> = setting.values.iter().map(Cell::number).collect();
-        cells.extend([&of.trainer.name, &of.believed().name].map(Cell::text));
-        cells.extend([name_of(of.homes()), name_of(of.learner)].map(Cell::text));
-        cells.extend([Cell::number(of.seed), Cell::number(summary.runs)]);
-        let shares = [share(summary.test_all_right), low, high].into_iter();
-        let shares = shares.chain(summary.train_right.map(share)).chain(summary.test_right.map(share));
-        cells.extend(shares.chain(summary.translations.map(|it| it.mean)).map(|number| Cell::Number(format!("{number:.6}"))));
-        let said = summary.feedback;
-        cells.extend([said.reward, said.punish, said.neutral].map(Cell::number));
-        printed::csv_line(out, cells)?;
-    }
-    Ok(())
+    let share = |right: usize| right as f64 / summary.runs.max(1) as f64;
+    let (low, high) = wilson(summary.test_all_right, summary.runs);
+    let mut cells: Vec<Cell> = [&of.trainer.name, &of.believed().name].map(Cell::text).into();
+    cells.extend([name_of(of.homes()), name_of(of.learner)].map(Cell::text));
+    cells.extend([Cell::number(of.seed), Cell::number(summary.runs)]);
+    let shares = [share(summary.test_all_right), low, high].into_iter();
+    let shares = shares.chain(summary.train_right.map(share)).chain(summary.test_right.map(share));
+    cells.extend(shares.chain(summary.translations.map(|it| it.mean)).map(|number| Cell::Number(format!("{number:.6}"))));
+    let said = summary.feedback;
+    cells.extend([said.reward, said.punish, said.neutral].map(Cell::number));
+    printed::csv_line(out, cells)
 }
 
 /// A heat map: a row for each machine token, a column for each word, and darker cells for more probable words.
@@ -247,29 +223,4 @@ fn shade(probability: f32) -> RGBColor {
     let depth = (probability / 0.6).clamp(0.0, 1.0);
     let mix = |pale: u8, dark: u8| (f32::from(pale) + (f32::from(dark) - f32::from(pale)) * depth).round() as u8;
     RGBColor(mix(PALE.0, 22), mix(PALE.1, 70), mix(PALE.2, 110))
-}
-
-/// A bar for each lesson and test: the share of agents that understood it.
-pub fn shares(summary: &Summary, options: &PaperOptions) -> Result<String, Box<dyn Error>> {
-    let (left, top, wide, high) = (330, 80, 400, 26);
-    let share = |right: usize| right as f64 / summary.runs.max(1) as f64;
-    let lessons = LESSONS.iter().zip(summary.train_right).map(|(exercise, right)| (exercise.command, share(right), BLUE));
-    let tests = TESTS.iter().zip(summary.test_right).map(|(exercise, right)| (exercise.command, share(right), GREEN));
-    let bars: Vec<_> = lessons.chain(tests).chain([("all five tests", share(summary.test_all_right), GREEN)]).collect();
-    let size = ((left + wide + 80) as u32, (top + bars.len() as i32 * high + 60) as u32);
-    draw(size, |canvas| {
-        let title = format!("{} agents, trainer {}, {} homes", summary.runs, options.trainer.name, name_of(options.homes()));
-        write(canvas, &title, (20, 28), 18, HPos::Left, INK)?;
-        write(canvas, "blue: lessons understood before any feedback; green: tests right", (20, 54), 13, HPos::Left, INK)?;
-        for (row, (command, share, color)) in (0..).zip(&bars) {
-            // A gap between the lessons and the tests.
-            let y = top + row * high + if row >= LESSONS.len() as i32 { 14 } else { 0 };
-            let end = left + (share * f64::from(wide)).round() as i32;
-            write(canvas, command, (left - 10, y + high / 2), 13, HPos::Right, INK)?;
-            canvas.draw(&Rectangle::new([(left, y + 3), (left + wide, y + high - 3)], PALE.filled()))?;
-            canvas.draw(&Rectangle::new([(left, y + 3), (end, y + high - 3)], color.filled()))?;
-            write(canvas, &format!("{:.1} %", share * 100.0), (left + wide + 8, y + high / 2), 13, HPos::Left, INK)?;
-        }
-        Ok(())
-    })
 }

@@ -3,14 +3,13 @@
 //! - [`pupil`]: a robot in its [`site`], and the session under way: all calls to the core;
 //! - [`kept`]: the robot's files; [`lessons`]: the tour, and what to teach next; [`classroom`]: all of these together;
 //! - [`protocol`]: lines in, JSON out;
-//! - [`visit`]: the effects of [`keys`] and of time. [`screen`] draws it in the colours of [`palette`], on a [`terminal`] or as a [`picture`].
+//! - [`visit`]: the effects of [`keys`] and of time. [`screen`] draws it in the colours of [`palette`], on a [`terminal`].
 
 mod classroom;
 pub mod kept;
 mod keys;
 mod lessons;
 mod palette;
-mod picture;
 mod protocol;
 mod pupil;
 mod screen;
@@ -23,15 +22,13 @@ use classroom::Classroom;
 use goodbot_console::load::kinds;
 use goodbot_console::messages::is_colored;
 use goodbot_console::{
-    Believes, ClosedWordOptions, Failure, InputFile, Kind, Learner, Output, Printed, StarterOptions, SynonymOptions, counted, input,
-    printed, say,
+    Believes, ClosedWordOptions, Failure, InputFile, Learner, Printed, StarterOptions, SynonymOptions, counted, input, printed, say,
 };
 use goodbot_formats::environment::EnvironmentFile;
 use goodbot_formats::world::WorldFile;
 use goodbot_lesson::first_words::words_read;
 use goodbot_lesson::world::robot::{self, Tables};
 use kept::{Kept, Past, RobotFiles};
-use keys::Intent;
 use lessons::Tour;
 use palette::Palette;
 use pupil::Pupil;
@@ -39,9 +36,8 @@ use site::Setting;
 use std::io::{IsTerminal, Write, stdin};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use std::time::Duration;
+use visit::Visit;
 use visit::time::Pace;
-use visit::{Phase, Visit};
 
 /// The default names of the robot, and of the tour's robot.
 const ROBOT: &str = "robot";
@@ -79,11 +75,11 @@ pub struct TeachOptions {
     #[arg(long, short = 's', value_name = "S", value_parser = goodbot_console::typed::seed)]
     seed: Option<u64>,
     /// Consider ways too: commands may mean to go through a room, through one of two, or to avoid one
-    #[arg(long, conflicts_with_all = ["tour", "picture"])]
+    #[arg(long, conflicts_with = "tour")]
     routes: bool,
     /// The trainer that the robot expects: population (real people), paper, or probabilities as in replay [default: population, or a saved robot's
     /// own belief]
-    #[arg(long, value_parser = of_trainer, value_name = "NAME|MU_PLUS,MU_MINUS,EPSILON[,LAGS]", allow_hyphen_values = true, conflicts_with = "picture")]
+    #[arg(long, value_parser = of_trainer, value_name = "NAME|MU_PLUS,MU_MINUS,EPSILON[,LAGS]", allow_hyphen_values = true)]
     believes: Option<Believes>,
     #[command(flatten)]
     starter: StarterOptions,
@@ -109,27 +105,11 @@ pub struct TeachOptions {
     /// Read requests as lines, also in a terminal
     #[arg(long)]
     lines: bool,
-    /// Write a picture of a lesson under way, taught by a simulated trainer, and leave: the tour's fifth, or in HOME one with --command
-    #[arg(long, value_name = "FILE.svg", conflicts_with_all = ["random", "lines", "robot", "model", "speed", "starter"], value_hint = ValueHint::FilePath)]
-    picture: Option<PathBuf>,
-    /// The command of the picture's lesson
-    #[arg(long, value_name = "WORDS", requires_all = ["picture", "home", "intended"])]
-    command: Option<String>,
-    /// The task that it means, as in logs
-    #[arg(long, value_name = "TASK", requires = "command")]
-    intended: Option<String>,
-    /// Replace a file that is no picture of goodbot's
-    #[arg(long, requires = "picture")]
-    force: bool,
 }
 
 /// Runs the command.
 pub fn run(options: &TeachOptions) -> Result<(), Failure> {
     let seed = options.seed.unwrap_or(1);
-    if let Some(file) = &options.picture {
-        let output = Output::new(Kind::Picture, file, [] as [&Path; 0], options.force)?;
-        return output.write(picture_of_a_lesson(options, seed)?.as_bytes());
-    }
     let dumb = std::env::var("TERM").is_ok_and(|terminal| terminal == "dumb");
     let lines = options.lines || dumb || !stdin().is_terminal() || !printed::is_terminal();
     let mut classroom = open(options, lines)?;
@@ -162,48 +142,6 @@ fn visit(classroom: Classroom, pace: Pace, seed: u64) -> Result<(), Failure> {
     match shown {
         Err(error) if printed::is_terminal() && stdin().is_terminal() => Err(Failure::Output(error)),
         _ => Ok(()),
-    }
-}
-
-/// A lesson after a few steps: the fifth of the tour, or one in a home or world of the user's.
-fn picture_of_a_lesson(options: &TeachOptions, seed: u64) -> Result<String, Failure> {
-    const SIZE: (u16, u16) = (80, 24);
-    const LESSON: usize = 5;
-    const STEPS: usize = 3;
-    if options.home.is_some() && options.command.is_none() {
-        return Err(Failure::Input("a picture of this home needs a lesson: give --command and --intended".to_owned()));
-    }
-    let pupil = Pupil::new(&setting(options)?, seed, false, None)?;
-    let tour = options.home.is_none().then(|| Tour::new(options.seed.filter(|_| options.tour), std::iter::empty()));
-    let mut visit = Visit::new(Classroom::new(pupil, None, tour)?, Pace::Normal, seed);
-    let mut now = Duration::ZERO;
-    let own = options.command.as_deref();
-    if let Some(command) = own {
-        visit.prompt.set(command);
-    }
-    let mut is_begun = false;
-    loop {
-        let lesson = visit.stop().map_or(LESSON, |stop| stop.number);
-        match visit.phase() {
-            Phase::Idle if is_begun => {
-                return Err(Failure::Input(format!("this lesson is over before step {STEPS}; give another task with --intended")));
-            }
-            Phase::Idle => {
-                visit.take(Intent::Say, now);
-                if visit.phase() == Phase::Idle {
-                    return Err(Failure::Input(visit.message));
-                }
-                if own.is_some() {
-                    visit.classroom.mean(options.intended.as_deref())?;
-                    is_begun = true;
-                }
-                visit.take(Intent::Auto, now);
-            }
-            Phase::Waiting(_) if lesson == LESSON && visit.done().len() >= STEPS => return Ok(picture::svg(&visit, SIZE.0, SIZE.1)),
-            _ => {}
-        }
-        now += Duration::from_millis(100);
-        visit.tick(now);
     }
 }
 

@@ -29,10 +29,8 @@ fn a_micro_bits_program_that_is_not_there_is_told_with_how_to_make_it() {
 
 #[test]
 fn a_number_that_cannot_be_is_refused_with_one_that_can() {
-    for (command, option) in [("questions", "--kappa"), ("ways", "--kappa"), ("questions", "--eta")] {
-        for number in ["-1", "NaN"] {
-            assert_refused(&goodbot(&[command, option, number], b""), &[option, "such as"]);
-        }
+    for number in ["-1", "NaN"] {
+        assert_refused(&goodbot(&["evaluate", "--clear", number], b""), &["--clear", "such as"]);
     }
     assert_refused(&goodbot(&["paper", "--runs", "-1"], b""), &["--runs", "give a whole number"]);
 }
@@ -80,45 +78,12 @@ fn the_story_fits_a_terminal_of_eighty_columns() {
 }
 
 #[test]
-fn the_pictures_in_the_documentation_are_those_of_their_commands() {
-    const DOCS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs");
+fn the_picture_of_learned_words_in_the_documentation_is_that_of_its_command() {
     let folder = tempfile::tempdir().unwrap();
-    let world = format!("{DOCS}/examples/worlds/vacuum.json");
-    let vacuum: &[&str] = &["teach", &world, "--command", "clean the kitchen", "--intended", "roomClean(room1)", "--picture"];
-    for (name, command) in
-        [("learned-words", &["paper", "--seed", "1", "--plot"][..]), ("teach", &["teach", "--picture"]), ("vacuum", vacuum)]
-    {
-        let picture = folder.path().join(name);
-        assert_eq!(goodbot(&[command, &[picture.to_str().unwrap()]].concat(), b"").code, 0);
-        let shown = fs::read_to_string(format!("{DOCS}/{name}.svg")).unwrap();
-        assert!(fs::read_to_string(picture).unwrap() == shown, "make it anew: goodbot {} docs/{name}.svg", command.join(" "));
-    }
-}
-
-#[test]
-fn a_picture_of_a_home_takes_a_lesson_whose_task_is_possible_there() {
-    let world = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/examples/worlds/vacuum.json");
-    let folder = tempfile::tempdir().unwrap();
-    let picture = folder.path().join("lesson.svg");
-    let teach = |more: &[&str]| goodbot(&[&["teach", world, "--picture", picture.to_str().unwrap()], more].concat(), b"");
-    let alone = teach(&[]);
-    assert!(alone.code == 2 && alone.messages.contains("give --command and --intended"), "{}", alone.messages);
-    let impossible = teach(&["--command", "fly", "--intended", "roomClean(moon)"]);
-    assert!(impossible.code == 2 && impossible.messages.contains("is no task here"), "{}", impossible.messages);
-    assert!(!picture.exists());
-}
-
-#[test]
-fn a_lesson_that_is_over_at_once_has_no_picture_and_ends() {
-    let folder = tempfile::tempdir().unwrap();
-    let [home, picture] = ["home.txt", "lesson.svg"].map(|name| folder.path().join(name).to_str().unwrap().to_owned());
-    // The first guess pushes the chair into the lane, from which it never returns.
-    let drawn =
-        ["##########", "####g#####", "####g#####", "####+#####", "#bbbCb#rr#", "#bbb@b+rr#", "#bbbbb#rr#", "##########", "C: yellow chair"];
-    fs::write(&home, drawn.join("\n")).unwrap();
-    let lesson = ["--command", "move it", "--intended", "blockInRoom(block0,room2)"];
-    let run = goodbot(&[&["teach", &home, "--picture", &picture][..], &lesson].concat(), b"");
-    assert!(run.code == 2 && run.messages.contains("over before step 3"), "{}", run.messages);
+    let picture = folder.path().join("learned-words.svg");
+    assert_eq!(goodbot(&["paper", "--seed", "1", "--plot", picture.to_str().unwrap()], b"").code, 0);
+    let shown = fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/learned-words.svg")).unwrap();
+    assert!(fs::read_to_string(picture).unwrap() == shown, "make it anew: goodbot paper --seed 1 --plot docs/learned-words.svg");
 }
 
 #[test]

@@ -32,7 +32,7 @@ fn the_help_names_each_command_once_and_the_everyday_ones_first() {
         let [everyday, boards, laboratory, itself] = lists(&help);
         assert!(everyday.contains(&"teach") && everyday.len() <= 10, "{everyday:?}");
         assert!(laboratory.contains(&"study"), "{laboratory:?}");
-        assert_eq!(boards, ["size", "table", "convert", "microbit", "parameters", "migrate"]);
+        assert_eq!(boards, ["size", "table", "convert", "microbit", "parameters"]);
         let mut named = [everyday, boards, laboratory, itself].concat();
         named.sort_unstable();
         assert_eq!(named, commands, "{help}");
@@ -55,7 +55,7 @@ fn each_command_has_its_own_help_and_its_part_of_the_manual() {
 fn the_first_help_is_short_and_leaves_the_options_of_a_command_to_its_own() {
     let help = goodbot(&["--help"], b"").output;
     assert!(help.lines().count() <= 66, "{} lines:\n{help}", help.lines().count());
-    assert!(help.contains("--quiet") && help.contains("--color") && !help.contains("--sweep"), "{help}");
+    assert!(help.contains("--quiet") && help.contains("--color") && !help.contains("--layouts"), "{help}");
     assert_eq!(goodbot(&["--runs", "2", "--csv"], b"").output, goodbot(&["paper", "--runs", "2", "--csv"], b"").output);
 }
 
@@ -63,7 +63,7 @@ fn the_first_help_is_short_and_leaves_the_options_of_a_command_to_its_own() {
 fn help_and_completions_teach() {
     assert!(goodbot(&["--help"], b"").output.contains("goodbot --runs 200 --json | tail -1"));
     let paper = goodbot(&["paper", "--help"], b"").output;
-    assert!(paper.contains("punish-only  0.7,0.05,0.1") && paper.contains("--sweep"), "{paper}");
+    assert!(paper.contains("punish-only  0.7,0.05,0.1") && paper.contains("--layouts"), "{paper}");
     for shell in ["bash", "zsh", "fish"] {
         assert!(goodbot(&["completions", shell], b"").output.contains("trainer"));
     }

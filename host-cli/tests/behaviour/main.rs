@@ -48,6 +48,5 @@ mod teach;
 mod teach_screen;
 mod trainers_and_questions;
 mod two_teachers;
-mod ways;
 mod what_people_say;
 mod worlds;

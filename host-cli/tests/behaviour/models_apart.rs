@@ -94,23 +94,8 @@ fn control_characters_in_the_names_of_compared_models_are_shown_and_not_obeyed()
 }
 
 #[test]
-fn the_doctor_tells_a_damaged_model_and_a_broken_log_and_what_to_do() {
-    let place = Place::new();
-    let model = fs::read(place.path("a")).unwrap();
-    fs::write(place.path("b"), &model[..model.len() / 2]).unwrap();
-    fs::write(place.path("c"), r#"{"version":1,"objects":[]}"#).unwrap();
-    let well = place.try_run(&["doctor", "A", "LOG"]);
-    assert!(well.output.contains("a model of 3 sessions") && well.output.contains("3 sessions of 0 steps"), "{}", well.output);
-    let run = place.try_run(&["doctor", "B", "C"]);
-    assert_eq!(run.code, 1, "{}", run.output);
-    let wrong = |name: &str| run.output.lines().find(|line| line.contains(&place.path(name))).unwrap().trim_start().starts_with("wrong");
-    assert!(wrong("b") && wrong("c"), "{}", run.output);
-    assert!(run.messages.contains("see above what to do"), "{}", run.messages);
-}
-
-#[test]
 #[cfg(target_os = "linux")]
-fn the_doctor_finds_robots_that_lack_sessions_of_their_log() {
+fn the_doctor_finds_damaged_robots_broken_logs_and_robots_that_lack_sessions_of_their_log() {
     let place = Place::new();
     let folder = place.0.path().join("goodbot");
     fs::create_dir(&folder).unwrap();
@@ -118,9 +103,17 @@ fn the_doctor_finds_robots_that_lack_sessions_of_their_log() {
     fs::copy(place.path("b"), folder.join("rex.goodbot")).unwrap();
     fs::copy(place.path("log.jsonl"), folder.join("rex.jsonl")).unwrap();
     fs::write(folder.join(".rex.goodbot.Ab3dEf.part"), "half").unwrap();
+    let model = fs::read(place.path("a")).unwrap();
+    fs::write(folder.join("torn.goodbot"), &model[..model.len() / 2]).unwrap();
+    fs::copy(place.path("a"), folder.join("other.goodbot")).unwrap();
+    fs::write(folder.join("other.jsonl"), r#"{"version":1,"objects":[]}"#).unwrap();
     let mut doctor = std::process::Command::new(env!("CARGO_BIN_EXE_goodbot"));
     let told = doctor.arg("doctor").env("XDG_DATA_HOME", place.0.path()).output().unwrap();
+    assert_eq!(told.status.code(), Some(1));
+    assert!(String::from_utf8(told.stderr).unwrap().contains("2 things wrong; see above what to do"));
     let told = String::from_utf8(told.stdout).unwrap();
+    let wrong = |name: &str| told.lines().find(|line| line.contains(name)).unwrap().trim_start().starts_with("wrong");
+    assert!(wrong("torn.goodbot") && wrong("other.jsonl"), "{told}");
     assert!(told.contains("rex.goodbot: knows 2 sessions, and its log has 3"), "{told}");
     assert!(told.contains("was stopped while it wrote this"), "{told}");
 }

@@ -133,7 +133,7 @@ fn what_was_asked_for_is_written_although_the_reader_has_left() {
         &["inspect", "model", "--plot", "picture.svg"],
         &["evaluate", "log.jsonl", "--json", "--plot", "picture.svg"],
         &["paper", "--plot", "picture.svg"],
-        &["paper", "--runs", "3", "--json", "--plot", "picture.svg"],
+        &["study", "--courses", "paper", "--agents", "paper", "--runs", "1", "--json", "--plot", "picture.svg"],
     ];
     for arguments in cases {
         let _ = fs::remove_file(place.path("picture.svg"));
@@ -199,7 +199,6 @@ fn what_never_ends_is_refused_in_bounded_memory_and_time() {
         format!("evaluate {log} --k-fold 1"),
         format!("evaluate {log} --curve {} --runs 99999999", other.display()),
         "paper --runs 99999999999".to_owned(),
-        "paper --sweep mu-plus=0..1:0.000001".to_owned(),
         format!("inspect {model} --most 99999999999"),
     ] {
         let (code, messages) = bounded(&arguments);

@@ -1,4 +1,4 @@
-//! Expected trainers, and answers to questions: `fit-trainers`, `replay --believes`, logs with answers, `questions`.
+//! Expected trainers, and answers to questions: `fit-trainers`, `replay --believes`, logs with answers.
 
 use crate::program;
 
@@ -95,19 +95,6 @@ fn a_fit_needs_three_trainers_and_gives_shares_that_sum_to_one() {
         }
         let chance = &row["calibration_error_of_chance"]["mean"];
         assert!(chance.as_f64().is_some_and(|mean| 0.0 < mean && mean < 0.5), "{row}");
-    }
-}
-
-#[test]
-fn questions_save_steps_and_what_is_no_cost_is_refused() {
-    let run = goodbot(&["questions", "--runs", "20", "--kappa", "2", "--trainer", "real", "--json"], b"");
-    assert_eq!(run.code, 0, "{}", run.messages);
-    let row: Value = serde_json::from_str(run.output.lines().last().unwrap()).unwrap();
-    assert!(row["cost"].as_f64().unwrap() < 0.5 * row["cost_never_asking"].as_f64().unwrap(), "{row}");
-    for (option, value, message) in [("--kappa", "0", "a number of steps above 0"), ("--eta", "0.5", "less than 0.5")] {
-        let refused = goodbot(&["questions", option, value], b"");
-        assert_eq!(refused.code, 2);
-        assert!(refused.messages.contains(message), "{}", refused.messages);
     }
 }
 

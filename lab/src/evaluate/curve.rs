@@ -1,7 +1,7 @@
 //! Accuracy against the number of training sessions.
 
 use super::folds::{ask, shuffled};
-use super::method::{Method, Trained};
+use super::method::Trained;
 use crate::canvas::{GREEN, chart, draw as canvas};
 use goodbot::language::Settings;
 use goodbot_console::{Failure, Lesson, Starter, bar, training};
@@ -24,14 +24,7 @@ pub struct Point {
 ///
 /// # Errors
 /// [`Failure::Input`] if a command does not fit.
-pub fn points(
-    lessons: &[Lesson],
-    starter: &Starter,
-    method: Method,
-    settings: Settings,
-    runs: usize,
-    seed: u64,
-) -> Result<Vec<Point>, Failure> {
+pub fn points(lessons: &[Lesson], starter: &Starter, settings: Settings, runs: usize, seed: u64) -> Result<Vec<Point>, Failure> {
     let most = lessons.len() * 9 / 10;
     let doubling = std::iter::successors(Some(2_usize), |size| Some(size * 2)).take_while(|&size| size < most);
     let sizes: Vec<usize> = doubling.chain([most]).collect();
@@ -46,7 +39,7 @@ pub fn points(
                     let order = shuffled(lessons.len(), seed.wrapping_add(run as u64));
                     let (taught, asked) = order.split_at(sessions);
                     let taught = taught.iter().filter_map(|&taught| lessons.get(taught)).chain(starter.beside(sessions));
-                    let mut trained = Trained::on(method, memory, taught, settings)?;
+                    let mut trained = Trained::on(memory, taught, settings)?;
                     let (mut right, mut all) = (0_usize, 0_usize);
                     for lesson in asked.iter().filter_map(|&asked| lessons.get(asked)) {
                         if let Some(answer) = ask(&mut trained, lesson)? {

@@ -1,6 +1,6 @@
 //! Trains on some sessions, asks others, and collects the answers.
 
-use super::method::{Method, Trained, Wordless};
+use super::method::{Trained, Wordless};
 use super::novel::Novel;
 use goodbot::language::{Settings, Synonyms};
 use goodbot_console::{Failure, Lesson, Starter, bar, training};
@@ -65,7 +65,7 @@ impl Experiment<'_> {
     ///
     /// # Errors
     /// [`Failure::Input`] if a command does not fit, or a home has no other layout.
-    pub fn run(&self, method: Method, settings: Settings) -> Result<Vec<Answer>, Failure> {
+    pub fn run(&self, settings: Settings) -> Result<Vec<Answer>, Failure> {
         let progress = bar(self.rounds.len(), "training");
         let answers: Vec<Vec<Answer>> = self
             .rounds
@@ -78,7 +78,7 @@ impl Experiment<'_> {
                         || self.taught.iter().enumerate().filter(|(position, _)| !left.contains(position)).map(|(_, lesson)| lesson);
                     let wordless = Wordless::of(others());
                     let lessons = others().chain(self.starter.beside(others().count()));
-                    let mut trained = Trained::on(method, memory, lessons, settings)?;
+                    let mut trained = Trained::on(memory, lessons, settings)?;
                     let answers = self.ask_part(&mut trained, &wordless, part);
                     progress.inc(1);
                     answers

@@ -2,7 +2,7 @@
 //!
 //! - [`split`]: the sessions that are left out together, and test sessions that were trained on nevertheless;
 //! - [`folds`]: training on some sessions and asking others;
-//! - [`method`]: the models that are compared, and the control, a learner without words;
+//! - [`method`]: trained models, and the control, a learner without words;
 //! - [`novel`]: the same commands in other layouts;
 //! - [`curve`]: accuracy against the number of sessions;
 //! - [`report`]: the report.
@@ -23,10 +23,10 @@ use goodbot::{Capacities, Options};
 use goodbot_console::training_data::{Lessons, LogOptions};
 use goodbot_console::whole_file::options_of_model;
 use goodbot_console::{
-    Failure, InputFile, Lesson, Limit, Output, Starter, StarterOptions, SynonymOptions, TaskKinds, between, counted, output, restored, say,
-    training_data,
+    Failure, InputFile, Learner, Lesson, Limit, Output, Starter, StarterOptions, SynonymOptions, TaskKinds, between, counted, output,
+    restored, say, training_data,
 };
-use method::{Method, Trained};
+use method::Trained;
 use novel::Novel;
 use report::{SessionCounts, Summary};
 use split::{Group, Split};
@@ -76,7 +76,7 @@ pub struct EvaluateOptions {
     novel_environments: Option<usize>,
     /// The language model
     #[arg(long, value_enum, value_name = "NAME", default_value_t)]
-    learner: Method,
+    learner: Learner,
     #[command(flatten)]
     starter: StarterOptions,
     /// Compare the default with the same without one choice at a time, in a table
@@ -138,7 +138,7 @@ Examples:
   goodbot evaluate feedback.jsonl --group worker
   goodbot evaluate turk-original.jsonl --leave-environment-out
   goodbot evaluate turk-original.jsonl --synonyms words.txt
-  goodbot evaluate turk-simplified.jsonl --k-fold 10 --learner bag-of-words
+  goodbot evaluate turk-simplified.jsonl --k-fold 10 --learner roles
   goodbot evaluate turk-simplified.jsonl --curve curve.svg --runs 20
   goodbot evaluate turk-simplified.jsonl --curve curve.svg --starter en
   goodbot evaluate turk-simplified.jsonl --ablation";
@@ -157,8 +157,8 @@ pub fn run(options: &EvaluateOptions) -> Result<(), Failure> {
             "--force has no effect here: nothing is written. It is for --plot and --curve; leave it out".to_owned(),
         ));
     }
-    if options.synonyms.is_given() && (options.curve.is_some() || options.learner == Method::BagOfWords) {
-        return Err(Failure::Input("--synonyms is not for --curve and not for --learner bag-of-words; leave one of them out".to_owned()));
+    if options.synonyms.is_given() && options.curve.is_some() {
+        return Err(Failure::Input("--synonyms is not for --curve; leave one of them out".to_owned()));
     }
     let inputs = || options.files.iter().chain(&options.test).map(AsRef::as_ref).chain(options.with.as_deref());
     let [plot, curve] = [&options.plot, &options.curve].map(|path| Output::picture(path, inputs(), options.force));
@@ -172,14 +172,14 @@ pub fn run(options: &EvaluateOptions) -> Result<(), Failure> {
     }
     let agent = options.learner.options();
     let sessions = Sessions::read(options, &lifted, agent)?;
-    let (answers, summary) = sessions.answers(options, &lifted, options.learner, agent)?;
+    let (answers, summary) = sessions.answers(options, &lifted, agent)?;
     sessions.tell_copies(&answers);
     // Pictures come first, so that they are written even if the reader of the text stops early.
     reliability(plot.as_ref(), &summary)?;
     report::print(&mut out, &answers, &summary, options.json).or_else(unheard)?;
     if let Some(curve) = &curve {
         let runs = options.runs.unwrap_or(10);
-        let points = curve::points(&sessions.taught.lessons, &sessions.starter, options.learner, agent.language, runs, options.seed())?;
+        let points = curve::points(&sessions.taught.lessons, &sessions.starter, agent.language, runs, options.seed())?;
         curve.draw(curve::draw(&points, runs))?;
         if !options.json {
             report::print_curve(&mut out, &points)?;
@@ -207,7 +207,7 @@ fn ablation(options: &EvaluateOptions, lifted: &[LiftedTask], out: &mut impl Wri
     let mut rows = Vec::new();
     for (name, agent) in method::ablations() {
         let sessions = Sessions::read(options, lifted, agent)?;
-        let (_, summary) = sessions.answers(options, lifted, Method::Default, agent)?;
+        let (_, summary) = sessions.answers(options, lifted, agent)?;
         rows.push((name, summary));
     }
     report::ablation(out, &rows, options.json)?;
@@ -247,7 +247,7 @@ fn with_model(
         true if options.starter.is_given() => {
             return Err(Failure::Input("--starter is for homes; leave it out in a world from a file".to_owned()));
         }
-        true => Trained::Model2(Box::new(restored::language(file, &mut memory, sessions.asked(), sessions.act())?)),
+        true => Trained::Model(Box::new(restored::language(file, &mut memory, sessions.asked(), sessions.act())?)),
         false => Trained::Robot(Box::new(restored::agent_beside(file, lifted, &starter)?)),
     };
     let answers = experiment.ask(&mut trained)?;
@@ -317,13 +317,7 @@ impl Sessions {
         })
     }
 
-    fn answers(
-        &self,
-        options: &EvaluateOptions,
-        lifted: &[LiftedTask],
-        method: Method,
-        agent: Options,
-    ) -> Result<(Vec<folds::Answer>, Summary), Failure> {
+    fn answers(&self, options: &EvaluateOptions, lifted: &[LiftedTask], agent: Options) -> Result<(Vec<folds::Answer>, Summary), Failure> {
         let about = self.about()?;
         let rounds: Vec<(Vec<usize>, Vec<usize>)> = match &self.asked {
             Some(asked) => vec![(vec![], (0..asked.lessons.len()).collect())],
@@ -350,7 +344,7 @@ impl Sessions {
             starter: &self.starter,
             novel: options.novel(lifted, agent)?,
         };
-        let answers = experiment.run(method, agent.language)?;
+        let answers = experiment.run(agent.language)?;
         let summary = Summary::of(&answers, about);
         Ok((answers, summary))
     }

@@ -12,7 +12,6 @@ use goodbot::feedback::{Feedback, Judged};
 use goodbot::home::paper_tasks;
 use goodbot_console::{Failure, InputFile};
 use goodbot_course::generator;
-use serde_json::{Value, json};
 use std::io::Write;
 
 /// The measures, and whether each was fitted.
@@ -82,36 +81,6 @@ struct Check {
     simulated: [Option<(f64, f64, f64)>; MEASURES.len()],
 }
 
-/// Fits trainers to logs.
-///
-/// # Errors
-/// [`Failure::Input`] names the file and its fault.
-fn fitted(options: &StudyOptions) -> Result<(People, Population), Failure> {
-    let people = read(&options.fit)?;
-    let records: Vec<Record> = people.iter().map(|(_, record)| record.clone()).collect();
-    let population = Population::fit(&records);
-    Ok((people, population))
-}
-
-/// The checks of what was not fitted, as a table in Markdown.
-///
-/// # Errors
-/// [`Failure::Input`] names the file and its fault.
-pub fn markdown(options: &StudyOptions) -> Result<String, Failure> {
-    let (people, population) = fitted(options)?;
-    let check = check(&people, &population, options);
-    let mut text = "| percentage of occasions | real | simulated, 95 % of draws |\n|---|---:|---:|\n".to_owned();
-    for (measure, _, real, simulated) in check.rows().filter(|(_, fitted, ..)| !fitted) {
-        text += &format!("| {measure} | {real} | {simulated} |\n");
-    }
-    let [now, before, earlier] = population.late.map(|share| 100.0 * share);
-    text += &format!(
-        "\nOf the words of real trainers, {now:.1} % judge the last action, {before:.1} % the one before and {earlier:.1} % the one before \
-         that (fitted).\n"
-    );
-    Ok(text)
-}
-
 impl Check {
     /// The measures, whether each was fitted, and the real and simulated percentages as text.
     fn rows(&self) -> impl Iterator<Item = (&'static str, bool, String, String)> + '_ {
@@ -150,19 +119,10 @@ fn check(people: &People, population: &Population, options: &StudyOptions) -> Ch
 /// # Errors
 /// [`Failure`].
 pub fn show(out: &mut impl Write, options: &StudyOptions) -> Result<(), Failure> {
-    let (people, population) = fitted(options)?;
+    let people = read(&options.fit)?;
+    let records: Vec<Record> = people.iter().map(|(_, record)| record.clone()).collect();
+    let population = Population::fit(&records);
     let check = check(&people, &population, options);
-    if options.json {
-        for ((name, _), counts) in people.iter().zip(&population.people) {
-            writeln!(out, "{}", person_to_json(name, counts))?;
-        }
-        writeln!(out, "{}", json!({"type": "late", "shares": population.late}))?;
-        for (((name, fitted), real), simulated) in MEASURES.iter().zip(check.real).zip(check.simulated) {
-            let simulated = simulated.map(|(mean, low, high)| json!({"mean": mean, "interval": [low, high]}));
-            writeln!(out, "{}", json!({"type": "check", "measure": name, "fitted": fitted, "real": real, "simulated": simulated}))?;
-        }
-        return Ok(());
-    }
     writeln!(out, "{} people. Counts that were fitted: rewards, punishments, silences after right and after wrong actions;", people.len())?;
     writeln!(out, "steps after which the lesson was over and was not, at the goal and elsewhere.\n")?;
     for ((name, _), Counts { right, wrong, at_goal, elsewhere }) in people.iter().zip(&population.people) {
@@ -175,17 +135,11 @@ pub fn show(out: &mut impl Write, options: &StudyOptions) -> Result<(), Failure>
         out,
         "\nOf the words, {now:.1} % judge the last action, {before:.1} % the one before, and {earlier:.1} % the one before that.\n"
     )?;
-    writeln!(out, "{:<36} {:>8}  {:>28}", "percentage of occasions", "real", "simulated, 95 % of draws")?;
+    writeln!(out, "| percentage of occasions | real | simulated, 95 % of draws |\n|---|---:|---:|")?;
     for (measure, fitted, real, simulated) in check.rows() {
-        writeln!(out, "{measure:<36} {real:>8}  {simulated:>28}{}", if fitted { "" } else { "  not fitted" })?;
+        writeln!(out, "| {measure}{} | {real} | {simulated} |", if fitted { " (fitted)" } else { "" })?;
     }
     Ok(())
-}
-
-fn person_to_json(name: &str, counts: &Counts) -> Value {
-    json!({
-        "type": "person", "name": name, "right": counts.right, "wrong": counts.wrong, "at_goal": counts.at_goal, "elsewhere": counts.elsewhere,
-    })
 }
 
 /// The trainers of some logs, each with a name.

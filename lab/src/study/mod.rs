@@ -13,7 +13,7 @@
 //! - [`plan`]: the courses, trainers, agents and seeds to compare, and the runs;
 //! - [`summary`]: means with intervals, as tables, lines and a picture;
 //! - [`likeness`]: real trainers, and how similar simulated ones are to them;
-//! - [`report`]: all of it as a page with pictures.
+//! - [`report`]: the tables of the documentation.
 //!
 //! ```
 //! use goodbot_lab::study::agent::AGENTS;
@@ -44,10 +44,14 @@ use crate::study::trainer::population::Population;
 use crate::study::trainer::{TRAINERS, Trainer};
 use clap::builder::{PossibleValue, PossibleValuesParser};
 use clap::{Args, ValueHint};
-use goodbot_console::{Failure, InputFile, between, output};
+use goodbot_console::{Failure, InputFile, Output, between, output};
 use plan::{Plan, Run};
 use std::io::Write;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
+use summary::Row;
+
+/// The trainers in the picture, if none is named.
+const DRAWN: [&str; 2] = ["balanced", "mute"];
 
 const EXAMPLES: &str = "\
 An agent is an inference and a language: tamer+roles finds the intended task as TAMER does, and learns words as the role \
@@ -70,7 +74,7 @@ course, trainer and agent:
 Examples:
   goodbot study --runs 20
   goodbot study --courses told --agents this+roles,tamer+roles --trainers balanced,mute
-  goodbot study --runs 100 --report study.md        all of it as a page with a picture
+  goodbot study --runs 100 --tables --plot study.svg  tables in Markdown, and a picture
   goodbot study --program ./mine --program-runs 30  a program of yours as a language, with fewer seeds
   goodbot study --fit log.jsonl                     what the trainers of a log do, and whether simulated ones are like them";
 
@@ -102,15 +106,18 @@ pub struct StudyOptions {
     /// The first seed: the same seed gives the same run everywhere
     #[arg(long, short = 's', value_name = "S", default_value = "1", value_parser = goodbot_console::typed::seed)]
     pub seed: u64,
-    /// Fit trainers to session logs, and compare simulated trainers with them; with --report, for the page
-    #[arg(long, value_name = "LOG", num_args = 1.., value_hint = ValueHint::FilePath, conflicts_with_all = ["csv"])]
+    /// Fit trainers to session logs, and compare simulated trainers with them
+    #[arg(long, value_name = "LOG", num_args = 1.., value_hint = ValueHint::FilePath, conflicts_with_all = ["csv", "json", "tables", "plot"])]
     pub fit: Vec<InputFile>,
     /// Try all settings of the other inferences and of the log-linear language, and tell which are best; on seeds of their own
-    #[arg(long, conflicts_with_all = ["fit", "csv", "json", "report", "agents"])]
+    #[arg(long, conflicts_with_all = ["fit", "csv", "json", "tables", "plot", "agents"])]
     pub tune: bool,
-    /// Write all of it as a page, with a picture beside it
-    #[arg(long, value_name = "FILE.md", value_hint = ValueHint::FilePath, conflicts_with_all = ["json", "csv"])]
-    pub report: Option<PathBuf>,
+    /// Print the tables of docs/appendix/study.md
+    #[arg(long, conflicts_with_all = ["json", "csv"])]
+    pub tables: bool,
+    /// Write a picture of the tests that were right, with --trainers or else balanced and mute; - is standard output
+    #[arg(long, value_name = "FILE.svg", value_hint = ValueHint::FilePath)]
+    pub plot: Option<PathBuf>,
     /// Print JSON lines
     #[arg(long)]
     pub json: bool,
@@ -118,7 +125,7 @@ pub struct StudyOptions {
     #[arg(long, conflicts_with = "json")]
     pub csv: bool,
     /// Replace files that goodbot has not written
-    #[arg(long, requires = "report")]
+    #[arg(long, requires = "plot")]
     pub force: bool,
 }
 
@@ -186,10 +193,8 @@ impl StudyOptions {
 /// # Errors
 /// [`Failure`].
 pub fn run(options: &StudyOptions) -> Result<(), Failure> {
-    if let Some(page) = &options.report {
-        return report::write(page, options);
-    }
-    let mut out = output::text(&[])?;
+    let plot = Output::picture(&options.plot, [] as [&Path; 0], options.force)?;
+    let mut out = output::text(&[plot.as_ref()])?;
     if !options.fit.is_empty() {
         likeness::show(&mut out, options)?;
         return Ok(out.flush()?);
@@ -200,7 +205,13 @@ pub fn run(options: &StudyOptions) -> Result<(), Failure> {
     }
     let (plan, runs) = options.runs()?;
     let rows = summary::rows(&plan, &runs);
-    if options.json {
+    if let Some(plot) = plot {
+        let drawn: Vec<Row> = rows.iter().filter(|row| !options.trainers.is_empty() || DRAWN.contains(&row.trainer)).cloned().collect();
+        plot.draw(summary::picture(&plan, &drawn))?;
+    }
+    if options.tables {
+        write!(out, "{}", report::tables(&plan, &runs, &rows))?;
+    } else if options.json {
         lines(&mut out, &plan, &runs)?;
         for row in &rows {
             writeln!(out, "{}", row.to_json())?;

@@ -5,8 +5,7 @@
 
 use super::agent::{Learner, Learns, Now};
 use super::course::{Course, Place};
-use super::trainer::{Habits, Listening};
-use crate::questions::answer;
+use super::trainer::{Habits, Listening, answer};
 use goodbot::AgentError;
 use goodbot::feedback::Feedback;
 use goodbot::home::HomeState;

@@ -26,7 +26,7 @@ Log: TypeAlias = "str | os.PathLike[str] | Iterable[Session] | Iterable[Mapping[
 # What sessions that stay together have in common.
 Group: TypeAlias = Literal["worker", "environment", "task", "command", "logged"]
 # The learners that `evaluate` compares.
-Compared: TypeAlias = Literal["default", "roles", "smoothed", "paper", "bag-of-words"]
+Compared: TypeAlias = Literal["default", "roles", "paper"]
 # Everyday sentences to begin with.
 Starter: TypeAlias = Literal["de", "en", "es", "fr", "zh"]
 # What a robot in MiniGrid can be asked to do.

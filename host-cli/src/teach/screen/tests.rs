@@ -1,5 +1,7 @@
 //! The screen's contents.
 
+mod picture;
+
 use super::*;
 use crate::teach::classroom::Classroom;
 use crate::teach::keys::Intent;

@@ -4,8 +4,9 @@
 
 pub mod population;
 
+use goodbot::asking::{Answer, Question};
 use goodbot::feedback::{Feedback, Strategy};
-use goodbot::random::unit;
+use goodbot::random::{below, unit};
 use goodbot_course::CourseTrainer;
 use population::Population;
 use rand_core::Rng;
@@ -168,6 +169,19 @@ impl Listening {
         let [goal, elsewhere] = self.habits.leaves;
         unit(random) < if at_goal { goal } else { elsewhere }
     }
+}
+
+/// The answer of a trainer with this intended task, who is wrong with probability `eta`.
+pub fn answer(question: &Question, intended: usize, eta: f32, random: &mut impl Rng) -> Answer {
+    let wrong = unit(random) < eta;
+    let count = usize::from(question.subject.choices());
+    if count == 0 {
+        return if question.yes.contains(intended) != wrong { Answer::Yes } else { Answer::No };
+    }
+    // One of the choices; after the last, none of them.
+    let right = question.choices.iter().take(count).position(|choice| choice.contains(intended)).unwrap_or(count);
+    let given = if wrong { (right + 1 + below(count, random)) % (count + 1) } else { right };
+    if given == count { Answer::No } else { Answer::This(given as u8) }
 }
 
 #[cfg(test)]

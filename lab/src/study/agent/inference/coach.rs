@@ -1,5 +1,8 @@
 //! COACH: feedback changes a policy. Feedback measures how much better an action was than the policy's average.
 //!
+//! J. MacGlashan et al. (2017), Interactive learning from policy-dependent human feedback, ICML.
+//! Simpler here: there is one eligibility trace and no delay of reaction.
+//!
 //! Here the policy is a softmax over tasks, and an action's probability is the sum over the tasks that would take it. So the gradient
 //! reaches every task, not only the followed one.
 
@@ -9,11 +12,6 @@ use crate::study::trial::StudyError;
 use goodbot::feedback::Feedback;
 use goodbot::oomdp::Action;
 use std::fmt;
-
-/// The source of the method.
-pub const SOURCE: &str = "J. MacGlashan et al. (2017), Interactive learning from policy-dependent human feedback, ICML";
-/// The simplification here.
-pub const SIMPLER: &str = "there is one eligibility trace and no delay of reaction";
 
 /// The settings of COACH.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -89,16 +89,6 @@ impl Inference {
             Self::Shaping(_) => shaping::grid().map(Self::Shaping).collect(),
         }
     }
-
-    /// The method's source, and the simplification here.
-    pub const fn source(self) -> Option<(&'static str, &'static str)> {
-        match self {
-            Self::Tamer(_) => Some((tamer::SOURCE, tamer::SIMPLER)),
-            Self::Coach(_) => Some((coach::SOURCE, coach::SIMPLER)),
-            Self::Shaping(_) => Some((shaping::SOURCE, shaping::SIMPLER)),
-            Self::This | Self::Sabl | Self::Nothing => None,
-        }
-    }
 }
 
 impl fmt::Display for Inference {

@@ -1,4 +1,7 @@
 //! Policy shaping, or Advise: feedback is a label that is right with a known probability. Counted labels give the probability of each task.
+//!
+//! S. Griffith et al. (2013), Policy shaping: integrating human feedback with reinforcement learning, NIPS.
+//! Simpler here: the environment gives no reward.
 
 use super::{Infer, Now, Tasks, label, signs};
 use crate::study::course::Place;
@@ -6,11 +9,6 @@ use crate::study::trial::StudyError;
 use goodbot::feedback::Feedback;
 use goodbot::oomdp::Action;
 use std::fmt;
-
-/// The source of the method.
-pub const SOURCE: &str = "S. Griffith et al. (2013), Policy shaping: integrating human feedback with reinforcement learning, NIPS";
-/// The simplification here.
-pub const SIMPLER: &str = "the environment gives no reward";
 
 /// Its settings.
 #[derive(Clone, Copy, Debug, PartialEq)]

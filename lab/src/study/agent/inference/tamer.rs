@@ -1,5 +1,8 @@
 //! TAMER: a regression model of the person's feedback.
 //!
+//! W. B. Knox and P. Stone (2009), Interactively shaping agents via human reinforcement: the TAMER framework, K-CAP.
+//! Simpler here: credit goes to the last three steps by fixed shares, because steps take no time here.
+//!
 //! Here it predicts, for each task, whether the feedback agrees with it: a number from -1 to 1. This number, times a sharpness, is added to
 //! the language's log probability.
 
@@ -11,11 +14,6 @@ use goodbot::feedback::Feedback;
 use goodbot::oomdp::Action;
 use std::collections::VecDeque;
 use std::fmt;
-
-/// The source of the method.
-pub const SOURCE: &str = "W. B. Knox and P. Stone (2009), Interactively shaping agents via human reinforcement: the TAMER framework, K-CAP";
-/// The simplification here.
-pub const SIMPLER: &str = "credit goes to the last three steps by fixed shares, because steps take no time here";
 
 /// The settings of TAMER.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,13 +1,52 @@
-//! A picture of the screen as SVG, for the README and for users.
+//! The pictures of the screen in docs/teach.md, as SVG. `GOODBOT_PICTURES=1 cargo test -p goodbot-cli pictures_of_the_screen` draws them anew.
 
-use super::palette::Palette;
-use super::screen;
-use super::visit::Visit;
-use ratatui::Terminal;
-use ratatui::backend::TestBackend;
-use ratatui::buffer::{Buffer, Cell};
-use ratatui::style::{Color, Modifier};
+use super::*;
+use ratatui::buffer::Cell;
 use std::fmt::Write;
+
+/// A lesson that a simulated trainer has judged for three steps: the tour's fifth, or one with this command and meaning.
+fn lesson(pupil: Pupil, own: Option<(&str, &str)>) -> Visit {
+    let tour = own.is_none().then(|| Tour::new(None, std::iter::empty()));
+    let mut visit = Visit::new(Classroom::new(pupil, None, tour).unwrap(), Pace::Normal, 1);
+    let mut now = Duration::ZERO;
+    loop {
+        let is_shown = visit.stop().is_none_or(|stop| stop.number == 5);
+        match visit.phase() {
+            Phase::Idle => {
+                if let Some((command, _)) = own {
+                    visit.prompt.set(command);
+                }
+                visit.take(Intent::Say, now);
+                if let Some((_, meant)) = own {
+                    visit.classroom.mean(Some(meant)).unwrap();
+                }
+                visit.take(Intent::Auto, now);
+            }
+            Phase::Waiting(_) if is_shown && visit.done().len() >= 3 => return visit,
+            _ => {}
+        }
+        now += Duration::from_millis(100);
+        visit.tick(now);
+    }
+}
+
+#[test]
+fn the_pictures_of_the_screen_in_the_documentation_are_those_of_today() {
+    const DOCS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs");
+    let world = goodbot_formats::world::WorldFile::parse(include_str!("../../../../../docs/examples/worlds/vacuum.json")).unwrap();
+    let settings = [
+        ("teach", Setting::Floor(first_home().unwrap()), None),
+        ("vacuum", Setting::Other(std::sync::Arc::new(world)), Some(("clean the kitchen", "roomClean(room1)"))),
+    ];
+    for (name, setting, own) in settings {
+        let drawn = svg(&lesson(Pupil::new(&setting, 1, false, None).unwrap(), own), 80, 24);
+        let file = format!("{DOCS}/{name}.svg");
+        if std::env::var_os("GOODBOT_PICTURES").is_some() {
+            std::fs::write(&file, &drawn).unwrap();
+        }
+        assert!(std::fs::read_to_string(&file).unwrap() == drawn, "draw {file} anew");
+    }
+}
 
 /// The width of a column and the height of a row, in units of the picture.
 const CELL: (usize, usize) = (9, 18);
@@ -16,9 +55,9 @@ const PAPER: &str = "#16161c";
 const INK: &str = "#dcdce4";
 
 /// The screen of a visit at this size, as SVG.
-pub fn svg(visit: &Visit, columns: u16, rows: u16) -> String {
+fn svg(visit: &Visit, columns: u16, rows: u16) -> String {
     let Ok(mut terminal) = Terminal::new(TestBackend::new(columns, rows));
-    let Ok(_) = terminal.draw(|frame| screen::draw(frame, visit, Palette::Many));
+    let Ok(_) = terminal.draw(|frame| super::draw(frame, visit, Palette::Many));
     of_buffer(terminal.backend().buffer())
 }
 
