@@ -9,6 +9,7 @@ use crate::inspect::InspectOptions;
 use crate::learn::LearnOptions;
 use crate::merge::MergeArgs;
 use crate::microbit::MicrobitOptions;
+use crate::migrate::MigrateArgs;
 use crate::paper::options::PaperOptions;
 use crate::parameters::ParametersArgs;
 use crate::replay::ReplayArgs;
@@ -101,6 +102,7 @@ pub enum Command {
     Microbit(MicrobitOptions),
     Parameters(ParametersArgs),
     Merge(MergeArgs),
+    Migrate(MigrateArgs),
     Diff(DiffArgs),
     Unlearn(UnlearnArgs),
     /// Find faults of the terminal and of your robots, and how to mend them
@@ -133,7 +135,7 @@ pub enum Command {
 /// The commands for most people.
 const EVERYDAY: [&str; 10] = ["teach", "learn", "ask", "inspect", "replay", "diff", "merge", "unlearn", "check", "example"];
 /// The commands for controllers.
-const BOARDS: [&str; 5] = ["size", "table", "convert", "microbit", "parameters"];
+const BOARDS: [&str; 6] = ["size", "table", "convert", "microbit", "parameters", "migrate"];
 /// The commands about the program itself.
 const ITSELF: [&str; 4] = ["doctor", "completions", "man", "help"];
 

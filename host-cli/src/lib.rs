@@ -18,6 +18,7 @@ mod inspect;
 mod learn;
 mod merge;
 mod microbit;
+mod migrate;
 mod paper;
 mod parameters;
 mod replay;
@@ -71,6 +72,7 @@ pub fn run(typed: &[OsString]) -> u8 {
         Command::Parameters(options) => parameters::run(&options),
         Command::Merge(options) => merge::run(&options),
         Command::Diff(args) => diff::run(&args),
+        Command::Migrate(args) => migrate::run(&args),
         Command::Unlearn(args) => unlearn::run(&args),
         Command::Doctor => doctor::run(),
         Command::Evaluate(options) => evaluate::run(&options),

@@ -7,6 +7,7 @@
 //! | [`whole_file`] | files read and written as a whole, and the right to write one, which one program has at a time |
 //! | [`training_data`] | recorded sessions as training data, and models trained on them |
 //! | [`starter`] | everyday sentences to begin with |
+//! | [`migration`] | a model for the next version of a robot |
 //! | [`restored`] | an agent or a language model from a model file |
 //! | [`output`] | the files to write, and which of them are never replaced |
 //! | [`printed`] | the one way of text to the terminal, and tables as comma-separated values |
@@ -19,6 +20,7 @@
 
 pub mod load;
 pub mod messages;
+pub mod migration;
 pub mod outcome;
 pub mod output;
 pub mod printed;

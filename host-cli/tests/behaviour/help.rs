@@ -32,7 +32,7 @@ fn the_help_names_each_command_once_and_the_everyday_ones_first() {
         let [everyday, boards, laboratory, itself] = lists(&help);
         assert!(everyday.contains(&"teach") && everyday.len() <= 10, "{everyday:?}");
         assert!(laboratory.contains(&"study"), "{laboratory:?}");
-        assert_eq!(boards, ["size", "table", "convert", "microbit", "parameters"]);
+        assert_eq!(boards, ["size", "table", "convert", "microbit", "parameters", "migrate"]);
         let mut named = [everyday, boards, laboratory, itself].concat();
         named.sort_unstable();
         assert_eq!(named, commands, "{help}");

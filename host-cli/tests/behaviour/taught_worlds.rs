@@ -463,3 +463,32 @@ fn a_task_whose_variables_are_interchangeable_is_one_task_that_can_be_believed_i
     assert_eq!(first["task"], "done(sweep) & done(mop)", "{belief}");
     assert!(first["probability"].as_f64().is_some_and(|probability| probability > 0.9), "{belief}");
 }
+
+#[test]
+fn a_model_is_migrated_to_the_next_version_of_its_robot() {
+    let course = &COURSES[0];
+    let folder = tempfile::tempdir().expect("a folder");
+    let (model, _) = taught(folder.path(), course);
+    let path = |name: &str| folder.path().join(name).to_str().expect("UTF-8").to_owned();
+    let old = world_file(course.world);
+    let text = std::fs::read_to_string(&old).expect("a world");
+    std::fs::write(path("new.json"), text.replace("liftAtFloor", "cabinAtFloor")).expect("a file");
+    let (model, new) = (model.to_str().expect("UTF-8"), path("new.json"));
+    let out = path("new.goodbot");
+    let migrate = |rename: &[&str]| {
+        let arguments = [&["migrate", model, "--from", &old, "--to", &new, "--out", &out, "--force"], rename].concat();
+        goodbot(&arguments, b"")
+    };
+    let run = migrate(&["--rename", "liftAtFloor=cabinAtFloor"]);
+    assert_eq!(run.code, 0, "{}", run.messages);
+    let asked = lines_of(&goodbot(&["ask", "--with", &out, "--environment", &new, "--json", course.asked.0], b""));
+    assert_eq!(asked[0]["task"].as_str(), Some("cabinAtFloor(lift0,floor3)"), "{}", asked[0]);
+    // Without the new name there is nothing to keep, and it is told.
+    let run = migrate(&[]);
+    assert_eq!(run.code, 0, "{}", run.messages);
+    assert!(run.messages.contains("liftAtFloor is not in") && run.messages.contains("3 sessions left out"), "{}", run.messages);
+    assert_eq!(Contents::read(&std::fs::read(&out).expect("a model")).expect("a model").sessions.len(), 0);
+    let run = goodbot(&["migrate", model, "--from", &new, "--to", &old, "--out", &out, "--force"], b"");
+    assert!(run.code == 2 && run.messages.contains("another vocabulary"), "{}", run.messages);
+    assert_eq!(migrate(&["--rename", "liftAtFloor"]).code, 2);
+}

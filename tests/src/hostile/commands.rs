@@ -137,7 +137,7 @@ pub fn assert_well_formed(svg: &str) {
 }
 
 /// Every command that reads files of strangers. `~` stands for the hostile text.
-pub const COMMANDS: [&str; 34] = [
+pub const COMMANDS: [&str; 35] = [
     "check home.json",
     "check log.jsonl world.json fault.json",
     "check --json log.jsonl world.json fault.json home.json",
@@ -172,6 +172,7 @@ pub const COMMANDS: [&str; 34] = [
     "teach world.json --lines",
     "convert fault.json home.json",
     "check --task ~ no-such-file~",
+    "migrate words.goodbot --from world.json --to world.json --rename ~=~ --out moved.goodbot",
 ];
 
 /// The commands that write the models which others read.
