@@ -173,6 +173,14 @@ fn every_name_is_checked_and_a_fault_names_its_line() {
         ("?l - lamp) (in", "?l - lump) (in", "line 4 of the domain: ?l is of the type lump, which the domain does not have"),
         ("(:types lamp room)", "(:types lamp room) (:types house)", "line 3 of the domain: gives the section :types twice"),
         ("(:types lamp room)", "(:types lamp room lamp)", "line 3 of the domain: gives the type lamp twice"),
+        ("(:types lamp room)", "(:types lamp - room room - lamp)", "line 3 of the domain: the type lamp is above itself"),
+        ("(:types lamp room)", "(:types lamp room -thing)", "line 3 of the domain: \"-thing\" is no name; write a blank after -"),
+        (
+            ":effect (on ?l)",
+            ":effect (and (on ?l) (increase (total-cost) 1) (increase (total-cost) 1))",
+            "line 6 of the domain: changes total-cost a second time",
+        ),
+        (":effect (on ?l)", ":effect (and (on ?l) (not (increase (total-cost) 1)))", "line 6 of the domain: changes total-cost"),
         (":effect (on ?l)", ":effect (on ?l) :effect (at ?r)", "line 6 of the domain: gives the field :effect twice"),
     ] {
         let refused = converted(&domain.replacen(from, to, 1), problem).expect_err(told);
@@ -261,6 +269,14 @@ fn a_name_that_the_converter_would_give_is_left_to_the_domain() {
 }
 
 #[test]
+fn an_action_whose_name_is_every_robots_gets_another() {
+    let domain = "(define (domain d) (:predicates (p)) (:action noop :effect (p)))";
+    let world = converted(domain, "(define (problem one) (:domain d) (:init) (:goal (p)))").expect("a world");
+    assert_eq!(WorldFile::parse(&world.to_json_line().expect("a line")), Ok(world.clone()));
+    assert_eq!(world.actions[0].name, "noop-2");
+}
+
+#[test]
 fn a_function_may_have_values_for_objects_of_several_types() {
     let domain = "(define (domain shop) (:requirements :typing :action-costs) (:types truck box)
         (:predicates (have ?x - truck) (got ?x - box)) (:functions (total-cost) - number (price ?x) - number)
@@ -292,7 +308,12 @@ fn types_that_nothing_mixes_are_classes_of_their_own() {
         (:action light :parameters (?l - lamp) :effect (on ?l)) (:action feed :parameters (?p - pet) :effect (fed ?p)))";
     let problem =
         "(define (problem p) (:domain d) (:objects l - lamp r - room c - cat d - dog) (:init (at r)) (:goal (and (on l) (fed c))))";
-    assert_eq!(converted(domain, problem).expect("a world").classes, ["lamp", "room", "pet"]);
+    let world = converted(domain, problem).expect("a world");
+    assert_eq!(world.classes, ["lamp", "room", "pet"]);
+    // Words tell the types of one class apart.
+    assert_eq!(world.attributes[1], ("type".to_owned(), vec!["pet".to_owned()]));
+    let types: Vec<_> = world.objects.iter().filter_map(|object| object.attributes.get(1)).map(|(_, value)| value.as_str()).collect();
+    assert_eq!(types, ["cat", "dog"]);
 }
 
 #[test]

@@ -1,13 +1,15 @@
 //! A world with a robot of any kind, from a file or a dict.
 
-use crate::error::{file as unread, format as misformed, in_file, value};
+use crate::error::{file as unread, format as misformed, in_file, misformed as misformed_at, value};
 use crate::options::{Items, action_of, task_name};
 use goodbot::Capacities;
 use goodbot::oomdp::{Domain, apply};
 use goodbot::task::{GroundedTask, ground};
 use goodbot_formats::task_text::{GroundAtomText, GroundTaskText};
 use goodbot_formats::world::WorldFile;
+use goodbot_lesson::world::pddl;
 use goodbot_lesson::world::robot::{self, Tables};
+use pyo3::exceptions::PyUserWarning;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::hash::{Hash, Hasher};
@@ -93,6 +95,23 @@ impl World {
     fn load(py: Python<'_>, path: PathBuf) -> PyResult<Self> {
         let text = std::fs::read_to_string(&path).map_err(|error| unread(&path, &error))?;
         Self::parsed(py, &text).map_err(|error| in_file(py, &path, error))
+    }
+
+    /// The world of a planning problem, from the files of its PDDL domain and problem; `goodbot convert` writes the same.
+    ///
+    /// Warns of what you may not expect, such as a goal that no plan reaches. Raises `FormatError`, `ValueError` and `OSError`.
+    #[staticmethod]
+    fn from_pddl(py: Python<'_>, domain: PathBuf, problem: PathBuf) -> PyResult<Self> {
+        let read = |path: &PathBuf| std::fs::read_to_string(path).map_err(|error| unread(path, &error));
+        let texts = (read(&domain)?, read(&problem)?);
+        let pddl::Converted { world, warnings } = py.detach(|| pddl::convert(&texts.0, &texts.1)).map_err(|error| {
+            let path = if error.text == pddl::Text::Domain { &domain } else { &problem };
+            misformed_at(py, format!("{}:{}: {}", path.display(), error.line, error.message), error.line, None)
+        })?;
+        for warning in warnings {
+            PyErr::warn(py, &py.get_type::<PyUserWarning>(), &std::ffi::CString::new(warning)?, 1)?;
+        }
+        Tables::of(Arc::new(world)).map(|tables| Self(Arc::new(tables))).map_err(|flaw| in_file(py, &problem, value(flaw)))
     }
 
     /// Its name.

@@ -47,6 +47,22 @@ def test_plans_are_as_long_as_those_of_a_known_planner(name: str, root: Path, cl
     assert plan is not None and len(plan) == len((tmp_path / "problem.pddl.soln").read_text().splitlines())
 
 
+def test_a_world_is_made_of_two_files(root: Path, cli: str, tmp_path: Path) -> None:
+    domain, problem = (root / f"lesson/tests/pddl/{file}.pddl" for file in ("gripper", "gripper-4"))
+    world = goodbot.World.from_pddl(domain, problem)
+    assert world == converted(cli, domain, problem) and world.plan("at(ball1,roomb)")
+    wrong, useless = tmp_path / "wrong.pddl", tmp_path / "useless.pddl"
+    wrong.write_text(problem.read_text().replace("(at-robby rooma)", "(at-robby cellar)"))
+    with pytest.raises(goodbot.FormatError, match=r"wrong.pddl:\d+: cellar in \(at-robby cellar\) is no object") as raised:
+        goodbot.World.from_pddl(domain, wrong)
+    assert raised.value.line > 1
+    useless.write_text(problem.read_text().replace("(at ball2 roomb)", "(at ball1 rooma)"))
+    with pytest.warns(UserWarning, match="no plan reaches the goal"):
+        goodbot.World.from_pddl(domain, useless)
+    with pytest.raises(FileNotFoundError):
+        goodbot.World.from_pddl(domain, tmp_path / "none.pddl")
+
+
 def test_the_recipe_of_the_cookbook_simplifies_a_problem(root: Path, cli: str, tmp_path: Path) -> None:
     for file, text in (("domain.pddl", HOUSE), ("problem.pddl", THREE)):
         (tmp_path / file).write_text(text)

@@ -100,9 +100,10 @@ class Vocabulary:
 class Grid(Vocabulary):
     """The grid of an environment as it is now, as a world that `goodbot.Agent` hears commands in: a `goodbot.Domain`.
 
-    At most one thing is out of its place at a time; a thing can be put only beside others, and is picked up again before the robot goes on: so there
-    are few states. A closed door is opened by walking through it, or by `toggle` if doors are to be opened: then the last one stays open. Locked doors
-    are walls. `side` and `depth` tell where a thing of the robot's room is as the robot stands now (BabyAI's rule).
+    At most one thing is out of its place at a time: a thing can be put only beside others, and is picked up again before the robot goes on. It takes
+    nothing along that is of no use elsewhere. So there are few states. A closed door is opened by walking through it, or by `toggle` if doors are to be
+    opened: then the last one stays open. A locked door is opened by `toggle` with its key, so `skills` need both `open` and `pickup`; for others it stays
+    shut. `side` and `depth` tell where a thing of the robot's room is as the robot stands now (BabyAI's rule).
 
     >>> import gymnasium
     >>> from goodbot.minigrid import Grid
@@ -126,7 +127,7 @@ class Grid(Vocabulary):
         for x in range(grid.width):
             for y in range(grid.height):
                 cell = grid.get(x, y)
-                if cell is not None and (cell.type in walls or getattr(cell, "is_locked", False)):
+                if cell is not None and cell.type in walls:
                     continue
                 self.places.append((x, y))
                 if cell is not None and cell.type != "floor":
@@ -142,8 +143,14 @@ class Grid(Vocabulary):
             self.handled += [("carry", thing) for thing in of["thing"]]
         if "putnext" in self.skills:
             self.handled += [("put", thing, str(place)) for thing in of["thing"] for place in self._spots(of["thing"] + of["door"])]
+        self.locked = {name for name, cell in self.cells.items() if getattr(cell, "is_locked", False)}
+        keys = [thing for thing in of["thing"] if any(self._fits(thing, door) for door in self.locked)] if "open" in self.skills else []
         if "open" in self.skills:
             self.handled += [("open", door) for door in of["door"]]
+        if "pickup" in self.actions:
+            self.handled += [("open", door, key) for door in of["door"] for key in keys]
+        # What the robot may walk with, because it can do something with it elsewhere.
+        self.taken = set(of["thing"] if "putnext" in self.skills else [*keys, *(thing for thing in of["thing"] if self.home[thing] is None)])
         self.ajar = {name for name, cell in self.cells.items() if getattr(cell, "is_open", False)}
         self.index = {what: number for number, what in enumerate(self.handled)}
         self.state_count = len(self.handled) * len(self.places) * 4
@@ -181,13 +188,23 @@ class Grid(Vocabulary):
         if handled[:1] == ("put",) and int(handled[2]) == place:
             return handled[1]
         name = self.at_home.get(place)
-        return None if name in handled[1:2] and handled[0] in ("carry", "put") else name
+        return None if name in self._moved(handled) else name
+
+    @staticmethod
+    def _moved(handled: tuple[str, ...]) -> tuple[str, ...]:
+        """The thing that is not in its place."""
+        return handled[2:] if handled[:1] == ("open",) else handled[1:2]
+
+    def _fits(self, thing: str, door: str) -> bool:
+        """Whether a thing is the key of a locked door."""
+        return bool(self.cells[thing].type == "key" and self.cells[thing].color == self.cells[door].color)
 
     def step(self, state: Position, action: str) -> Position | None:
         """The state that an action leads to, or None if it cannot be done or would leave the few states."""
         place, heading, number = state
         handled, ahead = self.handled[number], self.ahead[place][heading]
-        if handled[:1] == ("put",) and action != "pickup":
+        is_stuck = handled[:1] == ("put",) or (handled[:1] == ("carry",) and handled[1] not in self.taken)
+        if is_stuck and action not in ("pickup", "drop"):
             return None
         if action in ("left", "right"):
             return place, (heading + (1 if action == "right" else -1)) % 4, number
@@ -197,9 +214,11 @@ class Grid(Vocabulary):
                 return state
             return None if self._is_shut(name, handled) else (ahead, heading, number)
         kept: tuple[str, ...] | None = None
-        if action == "toggle" and name is not None and name.startswith("door") and handled[:1] in ((), ("open",)):
-            kept = ("open", name)
-        elif action == "pickup" and name is not None and name.startswith("thing") and (handled[:1] in ((), ("open",)) or handled[:2] == ("put", name)):
+        if action == "toggle" and name is not None and name.startswith("door"):
+            carried = self._moved(handled)
+            if name not in self.locked or any(self._fits(thing, name) for thing in carried):
+                kept = ("open", name, *carried)
+        elif action == "pickup" and name is not None and name.startswith("thing") and (not self._moved(handled) or handled[:2] == ("put", name)):
             kept = ("carry", name)
         elif action == "drop" and handled[:1] == ("carry",) and ahead is not None and name is None:
             kept = () if self.home[handled[1]] == ahead else ("put", handled[1], str(ahead))
@@ -207,9 +226,9 @@ class Grid(Vocabulary):
 
     def _is_shut(self, name: str | None, handled: tuple[str, ...]) -> bool:
         """Whether this is a shut door, where doors are to be opened."""
-        if name is None or not name.startswith("door") or "open" not in self.skills:
+        if name is None or not name.startswith("door") or handled[:2] == ("open", name):
             return False
-        return name not in self.ajar and handled != ("open", name)
+        return name in self.locked or ("open" in self.skills and name not in self.ajar)
 
     def true(self, state: Position) -> list[str]:
         """All that holds in a state."""
@@ -222,8 +241,8 @@ class Grid(Vocabulary):
         match handled:
             case ("carry", thing):
                 holds.append(f"carrying({thing})")
-            case ("open", door):
-                holds.append(f"opened({door})")
+            case ("open", door, *carried):
+                holds += [f"opened({door})", *(f"carrying({thing})" for thing in carried)]
             case ("put", thing, spot):
                 near = {self._in(beside, handled) for beside in self.ahead[int(spot)]} - {None, thing}
                 holds += [f"nextTo{'Door' if str(other).startswith('door') else ''}({thing},{other})" for other in near if "goal" not in str(other)]

@@ -115,7 +115,11 @@ impl<'p> Named<'p> {
 
     /// Checks that each name in the domain is known, and that each predicate has the right terms.
     pub fn check_domain(&self) -> Result<(), Fault> {
-        let Domain { predicates, actions, constants, .. } = self.domain;
+        let Domain { types, predicates, actions, constants, .. } = self.domain;
+        let is_above_itself = |it: &&Typed| it.kind != OBJECT && self.is_a(&it.kind, &it.name);
+        if let Some(it) = types.iter().find(is_above_itself) {
+            return error(it.line, format!("the type {} is above itself; let it be below another one", it.name));
+        }
         constants.iter().chain(self.parameters()).try_for_each(|it| self.check_type(it))?;
         for (name, parameters) in predicates {
             if let Some(beyond) = parameters.get(ARGUMENTS) {

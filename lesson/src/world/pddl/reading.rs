@@ -144,6 +144,9 @@ fn typed(items: &[Expression]) -> Result<Vec<Typed>, Fault> {
     while let Some(item) = items.next() {
         let word = item.word()?;
         if word != "-" {
+            if word.starts_with('-') {
+                return error(item.line(), format!("{word:?} is no name; write a blank after -"));
+            }
             all.push(Typed { name: word.to_owned(), kind: OBJECT.to_owned(), line: item.line() });
             continue;
         }
@@ -313,6 +316,12 @@ impl Schema {
                     for part in parts(value)? {
                         let (inner, holds) = signed(part)?;
                         match inner.headed()? {
+                            ("increase", _) if !holds || action.cost.is_some() => {
+                                return error(
+                                    inner.line(),
+                                    "changes total-cost a second time, or not at all; write one (increase (total-cost) ...)",
+                                );
+                            }
                             ("increase", [what, by]) if atom(what)?.predicate == TOTAL_COST => {
                                 action.cost = Some(if by.list().is_ok() { Cost::Told(atom(by)?) } else { Cost::Of(number(by)?) });
                             }

@@ -18,6 +18,8 @@ use std::collections::{BTreeMap, BTreeSet};
 const WHOLE: &str = "whole";
 /// The attribute with an object's name, so that words can mean it.
 const NAME: &str = "name";
+/// The attribute with its type, in a class that has objects of several types.
+const TYPE: &str = "type";
 /// The most propositions of the whole goal as a kind of task.
 const MOST_GOALS: usize = 4;
 /// The most parameters of which any may be left out; those after them are kept.
@@ -143,12 +145,22 @@ impl Writer<'_> {
             }
         }
         world.attributes.push((NAME.to_owned(), world.classes.clone()));
+        let types_of =
+            |class: &str| named.objects.iter().filter(|it| named.class(&it.kind) == class).map(|it| &it.kind).collect::<BTreeSet<_>>();
+        let mixed: Vec<String> = world.classes.iter().filter(|class| types_of(class).len() > 1).cloned().collect();
         for object in &named.objects {
             if !is_usable_name(&object.name) {
                 return error(object.line, format!("{:?} can be no name in a world; write it in letters and digits", object.name));
             }
-            let attributes = vec![(NAME.to_owned(), object.name.clone())];
-            world.objects.push(ObjectOfWorld { name: object.name.clone(), class: named.class(&object.kind).to_owned(), attributes });
+            let class = named.class(&object.kind).to_owned();
+            let mut attributes = vec![(NAME.to_owned(), object.name.clone())];
+            if mixed.contains(&class) {
+                attributes.push((TYPE.to_owned(), object.kind.clone()));
+            }
+            world.objects.push(ObjectOfWorld { name: object.name.clone(), class, attributes });
+        }
+        if !mixed.is_empty() {
+            world.attributes.push((TYPE.to_owned(), mixed));
         }
         if domain.predicates.iter().any(|(_, parameters)| parameters.is_empty()) {
             *whole = fresh(WHOLE, |name| named.object(name).is_some() || world.classes.iter().any(|class| class == name));
@@ -238,7 +250,7 @@ impl Writer<'_> {
         let kept = self.kept(ways, &choices, &conditions).into_iter();
         let class = |first: usize| schema.parameters.get(first).map_or("", |it| named.class(&it.kind)).to_owned();
         let parameters = kept.map(|first| (choices.name(first).to_owned(), class(first))).collect();
-        let name = fresh(&self.name(kind, &choices), |name| self.world.actions.iter().any(|action| action.name == name));
+        let name = fresh(&self.name(kind, &choices), |name| name == "noop" || self.world.actions.iter().any(|action| action.name == name));
         self.world.actions.push(ActionOfWorld { name, parameters, conditions, effects, cost });
         Ok(())
     }
