@@ -268,7 +268,13 @@ impl<'t> LanguageRef<'t> {
 
     /// Whether a word, as [`for_each_piece`](super::for_each_piece) passes it, counts as a learned one.
     pub fn knows(self, word: &str) -> bool {
-        self.word_like(word, self.learned_words).is_some_and(|known| known.index() < self.learned_words)
+        self.known_as(word).is_some()
+    }
+
+    /// The learned word that a word counts as, for example "take" for "takes", or "grandma" for "grandpa".
+    pub fn known_as(self, word: &str) -> Option<&'t str> {
+        let known = self.word_like(word, self.learned_words).filter(|known| known.index() < self.learned_words)?;
+        Some(self.words.text(known))
     }
 
     /// The word here that `word` counts as. Only the first `learned` words can be meant by a slip.

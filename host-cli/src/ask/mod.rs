@@ -323,7 +323,13 @@ impl Answer {
 fn to_json(answer: &Answer, command: &str) -> serde_json::Value {
     let Interpretation { tasks, words, meanings, listened, .. } = &answer.understood;
     let tasks: serde_json::Map<_, _> = tasks.iter().map(|task| (task.name.clone(), json!(task.probability))).collect();
-    let word = |it: &Word| json!({"word": it.word, "token": it.token, "share": it.share, "probability": it.probability});
+    let word = |it: &Word| {
+        let mut word = json!({"word": it.word, "token": it.token, "share": it.share, "probability": it.probability});
+        if let Some(known) = &it.taken_for {
+            word["taken_for"] = known.as_str().into();
+        }
+        word
+    };
     let meaning = |it: &Meaning| json!({"task": it.name, "words": it.words, "probability": it.probability, "done": it.done});
     let mut line = json!({
         "type": "answer", "command": command, "task": answer.task(), "tied": answer.tied(),
@@ -348,10 +354,10 @@ fn print(out: &mut Printed, options: &AskOptions, command: &str, answer: &Answer
         let done = if meaning.done { "  (already done here)" } else { "" };
         writeln!(out, "  {:6.3}  {:44} {}{done}", meaning.probability, meaning.words, meaning.name)?;
     }
-    let unheard: Vec<String> =
-        answer.understood.words.iter().filter(|word| word.is_never_heard()).map(|word| format!("{:?}", word.word)).collect();
-    if !unheard.is_empty() {
-        writeln!(out, "\nnever heard: {}", unheard.join(", "))?;
+    let said = answer.understood.words.iter().map(|word| (word.word.as_str(), word.is_never_heard(), word.taken_for.as_deref()));
+    let new = why::new_words(said);
+    if !new.is_empty() {
+        writeln!(out, "\n{}", new.join("\n"))?;
     }
     if answer.unread > 0 {
         writeln!(out, "\n{}", unread_words())?;

@@ -1,13 +1,13 @@
 //! Commands in worlds without actions. No robot acts there, so none listens either: the words alone give each task its probability, and
 //! whether it is a command stays open.
 
-use super::{AskOptions, end, tell_refused, unread_words};
+use super::{AskOptions, end, tell_refused, unread_words, why};
 use goodbot::Capacities;
-use goodbot::language::{LanguageModel, Synonyms};
+use goodbot::language::{LanguageModel, LanguageRef, Synonyms};
 use goodbot::memory::AgentHeap;
 use goodbot_console::load::words::in_known_words;
 use goodbot_console::{Failure, Lesson, Printed, counted, restored, training};
-use goodbot_lesson::first_words::read;
+use goodbot_lesson::first_words::{heard, read};
 use serde_json::json;
 use std::io::Write;
 
@@ -59,6 +59,9 @@ pub fn ask(options: &AskOptions, commands: &[Told]) -> Result<(), Failure> {
         for (name, share) in told {
             writeln!(out, "  {share:6.3}  {name}")?;
         }
+        for line in new_words(model.read(), said) {
+            writeln!(out, "{line}")?;
+        }
         if unread.is_some() {
             writeln!(out, "{}", unread_words())?;
         }
@@ -66,6 +69,13 @@ pub fn ask(options: &AskOptions, commands: &[Told]) -> Result<(), Failure> {
     }
     out.flush()?;
     end(refused, commands.len())
+}
+
+/// What is told of the words that no lesson had.
+fn new_words(language: LanguageRef<'_>, said: &str) -> Vec<String> {
+    let words = heard(language.settings().model, said).unwrap_or_default();
+    let taken_for: Vec<Option<String>> = words.iter().map(|word| why::taken_for(language, word)).collect();
+    why::new_words(words.iter().zip(&taken_for).map(|(word, taken_for)| (word.as_str(), !language.knows(word), taken_for.as_deref())))
 }
 
 /// The tasks that a command may mean, the most probable first, with their probabilities.

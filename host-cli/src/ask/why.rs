@@ -23,6 +23,8 @@ pub struct Word {
     pub share: f32,
     /// The word's probability given the task; `None` for a word never heard, or left out.
     pub probability: Option<f32>,
+    /// The learned word that it counts as, if that is another one.
+    pub taken_for: Option<String>,
 }
 
 /// The token of a word that training never had.
@@ -33,6 +35,31 @@ impl Word {
     pub fn is_never_heard(&self) -> bool {
         self.token == NEVER_HEARD
     }
+}
+
+/// The learned word that a word counts as, if that is another one, because they begin alike or one is misspelt: the robot cannot tell them
+/// apart, so whoever asks must know.
+pub fn taken_for(language: LanguageRef<'_>, word: &str) -> Option<String> {
+    // Model 2 keeps no whole words.
+    let known = language.known_as(word).filter(|_| language.settings().model == Model::Roles);
+    known.filter(|known| *known != word).map(str::to_owned)
+}
+
+/// What an answer tells of words that no lesson had: those never heard, and those taken for another with it.
+pub fn new_words<'w>(words: impl Iterator<Item = (&'w str, bool, Option<&'w str>)>) -> Vec<String> {
+    let (mut never_heard, mut taken) = (Vec::new(), Vec::new());
+    for (word, is_never_heard, taken_for) in words {
+        if is_never_heard {
+            never_heard.push(format!("{word:?}"));
+        } else if let Some(known) = taken_for {
+            taken.push(format!("{word:?} is new, and taken for {known:?}"));
+        }
+    }
+    taken.dedup();
+    if !never_heard.is_empty() {
+        taken.insert(0, format!("never heard: {}", never_heard.join(", ")));
+    }
+    taken
 }
 
 /// The words that the agent has listened to in `start`, each with its best explanation if the task is meant: a role and its value, or a
@@ -85,6 +112,7 @@ fn words_by_tokens(language: LanguageRef<'_>, sentence: &[Option<Symbol>], token
             token: if known.is_some() { token } else { NEVER_HEARD }.to_owned(),
             share: if whole > 0.0 { parts.get(best).copied().unwrap_or(0.0) / whole } else { 0.0 },
             probability: known.map(|_| whole),
+            taken_for: None,
         }
     };
     sentence.iter().enumerate().map(word).collect()
@@ -145,7 +173,8 @@ fn words_by_roles<D: Domain>(
             None if symbol.is_some_and(|word| is_known(&word)) => ("left out".to_owned(), 0.0, None),
             None => (NEVER_HEARD.to_owned(), 0.0, None),
         };
-        Word { word, token, share, probability }
+        let taken_for = taken_for(language, &word);
+        Word { word, token, share, probability, taken_for }
     };
     Ok(said.into_iter().zip(positions).zip(symbols).map(|((said, position), symbol)| word((said, position, symbol))).collect())
 }

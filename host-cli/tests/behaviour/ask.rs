@@ -63,6 +63,16 @@ fn a_word_never_heard_makes_the_answer_less_sure_and_is_named() {
 }
 
 #[test]
+fn a_word_that_is_taken_for_another_is_told_as_new() {
+    let asked = Asked::new();
+    let (answer, text) = asked.home("take the yellowish bag to the blue room");
+    assert!(text.contains("\n\"yellowish\" is new, and taken for \"yellow\"\n") && !text.contains("never heard"), "{text}");
+    assert_eq!((&answer["words"][2]["taken_for"], answer["words"][3].get("taken_for")), (&"yellow".into(), None));
+    let (_, text) = asked.home("take the yellow bag to the blue room");
+    assert!(!text.contains("is new"), "{text}");
+}
+
+#[test]
 fn a_synonym_that_was_learned_is_heard_for_a_word_that_was_not() {
     let asked = Asked::new();
     let table = asked.folder.path().join("words.txt");

@@ -2,6 +2,7 @@
 
 use crate::Layered;
 use crate::contexts::Command;
+use crate::familiar;
 use crate::parts::Parts;
 use crate::unmet;
 use crate::weighed::{Weighed, pool, weigh};
@@ -14,7 +15,7 @@ impl Layered {
     /// See [`Layer::weigh`](goodbot::language::layer::Layer::weigh).
     pub fn weigh_tasks<'d>(
         &self,
-        View { tables, possible, .. }: View<'_>,
+        View { tables, bitext, possible }: View<'_>,
         sentence: &[Option<Symbol>],
         same: &dyn Fn(usize) -> usize,
         description: &dyn Fn(usize) -> &'d [Symbol],
@@ -47,11 +48,17 @@ impl Layered {
         unmet::weigh_impossible(tables, self.learned.new_words, sentence, &mut tasks);
         weigh(&mut tasks, 1.0 + self.weight(TRUST));
         unmet::share_ways(&of_position, &mut tasks);
-        if tables.layout().has_names() {
+        let sure = if tables.layout().has_names() {
             pool(&mut tasks);
-        }
-        for (task, (_, group)) in tasks.iter().zip(groups()) {
-            let (before, after) = (before(weights, group), Scaled::new(task.believed));
+            let familiar = familiar::to_command(bitext, sentence);
+            let counts: Vec<usize> = groups().map(|(_, group)| group.len()).collect();
+            let count = |position: usize| counts.get(position).copied().unwrap_or(1);
+            familiar::surer(&tasks, |position| familiar.contains(of_position(position)), count)
+        } else {
+            tasks.iter().map(|task| Scaled::new(task.believed)).collect()
+        };
+        for (&after, (_, group)) in sure.iter().zip(groups()) {
+            let before = before(weights, group);
             for &(_, task) in group {
                 let Some(weight) = weights.get_mut(task) else { continue };
                 let share = 1.0 / group.len() as f32;

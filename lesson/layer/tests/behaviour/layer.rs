@@ -4,6 +4,7 @@ use goodbot::capacity::{Capacity, CapacityError};
 use goodbot::home::AGENT_IN_ROOM;
 use goodbot::language::{LanguageModel, Settings};
 use goodbot::memory::AgentHeap;
+use goodbot::oomdp::PropositionId;
 use goodbot::planning::Progress;
 use goodbot::probability::{Scaled, total};
 use goodbot::symbols::Symbol;
@@ -385,4 +386,53 @@ mod saved {
             assert!(Contents::read(&file[..length]).is_err());
         }
     }
+}
+
+/// The tasks of a world without a robot: the lamp of each color on, and off.
+fn lamps(model: &mut LanguageModel<AgentHeap>) -> Vec<[Symbol; 5]> {
+    let names = ["lampOn", "lampOff"].into_iter().zip(["on", "off"]).enumerate();
+    let mut tasks = Vec::new();
+    for (proposition, (form, name)) in names {
+        let proposition = PropositionId::new(proposition as u8);
+        let mut token = |text: &str| model.lend().tokens_mut().intern(text).unwrap();
+        let marker = |role| Marker { role, sort: 0 }.symbol();
+        let (of_name, goal) = (marker(Role::of_name(proposition)), marker(Role::of_argument(RoleKind::Goal, proposition, 0)));
+        let (form, name) = (token(form), token(name));
+        tasks.extend(COLORS.map(|color| [form, of_name, name, goal, token(color)]));
+    }
+    tasks
+}
+
+#[test]
+fn in_a_world_without_a_robot_a_task_that_lessons_meant_with_all_these_words_is_surer_than_a_new_combination() {
+    let mut model = LanguageModel::new(memory(), Settings::LAYERED).unwrap();
+    let lessons = [
+        ("switch on red", 0),
+        ("red on please", 0),
+        ("switch on green", 1),
+        ("green on please", 1),
+        ("switch off blue", 6),
+        ("blue off please", 6),
+        ("switch off yellow", 7),
+        ("yellow off please", 7),
+        ("switch off red", 4),
+        ("switch on blue", 2),
+    ];
+    for (command, meant) in lessons {
+        let (words, tasks) = (model.lend().hear(command).unwrap(), lamps(&mut model));
+        model.lend().add_session(&words, [(&tasks[meant][..], 1.0)].into_iter()).unwrap();
+        model.lend().add_possible(tasks.iter().map(|task| (&task[..], 0.125))).unwrap();
+    }
+    train(&mut model, u32::MAX);
+    let mut posterior = |command: &str, meant: usize| {
+        let (words, tasks) = (model.lend().hear(command).unwrap(), lamps(&mut model));
+        let mut scores: Vec<Scaled> = tasks.iter().map(|task| model.read().likelihood(&words, task).scaled_by(0.125)).collect();
+        model.read().weigh_kinds(&words, |task| tasks[task][0], |_| 0.125, &mut scores);
+        model.read().weigh_parts(&words, |task| task, |task| &tasks[task], &mut scores);
+        model.lend().forget_unlearned();
+        scores[meant].over(total(scores.iter().copied()))
+    };
+    // Lessons meant both with some of the words, but only the first with all of them.
+    let (familiar, new) = (posterior("switch on green please", 1), posterior("switch off green please", 5));
+    assert!(new > 0.9 && 100.0 * (1.0 - familiar) < 1.0 - new, "{familiar} {new}");
 }
