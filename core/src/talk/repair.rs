@@ -211,7 +211,9 @@ impl<M: AgentMemory> Agent<M> {
         let judged = self.judge_command(likeliest, Choice::Likeliest, explained);
         match shape.change() {
             // What changes the last task is no command, so it is not learned as one.
-            Some(_) if shape == Shape::NotThere => Judged { words: Words::NONE, is_negated: true, hypothesis: super::Hypothesis::Negated, ..judged },
+            Some(_) if shape == Shape::NotThere => {
+                Judged { words: Words::NONE, is_negated: true, hypothesis: super::Hypothesis::Negated, ..judged }
+            }
             Some(_) => Judged { words: Words::NONE, ..judged },
             None => judged,
         }

@@ -91,10 +91,7 @@ fn clauses(words: Words<'_>) -> Vec<(usize, usize), WORDS_PER_COMMAND> {
         is_named = is_of_name;
         let is_mark = is_comma || begins_name(words, at);
         let is_end = is_mark || ends_name;
-        let may_end = is_end
-            && !is_connective(at)
-            && is_whole(words.part(begin, at), is_mark)
-            && is_whole(behind(is_comma), is_mark);
+        let may_end = is_end && !is_connective(at) && is_whole(words.part(begin, at), is_mark) && is_whole(behind(is_comma), is_mark);
         phrase = of;
         if at == words.len() || is_connective(at) || may_end {
             if begin < at {

@@ -186,7 +186,16 @@ impl<M: AgentMemory> Agent<M> {
         let words_of = |hypothesis| if hypothesis == Hypothesis::Several { said } else { words };
         let plain = |hypothesis, share| {
             let words = words_of(hypothesis);
-            Candidate { hypothesis, words, share, is_turned: false, choice: Choice::Likeliest, gathering: None, repair: None, is_explained: false }
+            Candidate {
+                hypothesis,
+                words,
+                share,
+                is_turned: false,
+                choice: Choice::Likeliest,
+                gathering: None,
+                repair: None,
+                is_explained: false,
+            }
         };
         // What is asked for again was understood before; and where a new word may mean "not", nothing is weighed.
         if matches!(likeliest, Hypothesis::Talk(Class::Again) | Hypothesis::Reversed) {
@@ -370,7 +379,8 @@ impl<M: AgentMemory> Agent<M> {
         let (Hypothesis::Several, Some(parting)) = (hypothesis, parting) else {
             let likely = Judged::likely(hypothesis, words, probability, command);
             // A prohibition, and a command about all things, are explained without their cues.
-            let has_cues = hypothesis == Hypothesis::Negated && negated(words).is_some() || hypothesis == Hypothesis::All && all(words).is_some();
+            let has_cues =
+                hypothesis == Hypothesis::Negated && negated(words).is_some() || hypothesis == Hypothesis::All && all(words).is_some();
             if !candidate.is_explained && !has_cues {
                 self.explain_all(domain, words, View::PLAIN, context, explained)?;
             }
@@ -419,7 +429,8 @@ impl<M: AgentMemory> Agent<M> {
         context: Context<'_>,
     ) -> Result<Judged<'w>, AgentError> {
         let Judged { hypothesis, words, probability, .. } = likeliest;
-        if matches!(choice, Choice::AllNamed | Choice::OtherKind) && matches!(hypothesis, Hypothesis::Talk(Class::Again) | Hypothesis::All) {
+        if matches!(choice, Choice::AllNamed | Choice::OtherKind) && matches!(hypothesis, Hypothesis::Talk(Class::Again) | Hypothesis::All)
+        {
             return Ok(likeliest);
         }
         if hypothesis == Hypothesis::Talk(Class::Again)

@@ -317,7 +317,8 @@ pub(crate) fn is_name(tables: TablesRef<'_>, word: Option<Symbol>) -> bool {
 /// As [`is_name`], for a word that was said of nothing else: in "把篮子拿到红色房间" the verb 拿 follows the name of each thing, so that training
 /// takes it for a part of these names.
 pub(crate) fn is_name_alone(language: LanguageRef<'_>, word: Option<Symbol>) -> bool {
-    word.zip(word.and_then(|word| value_of(language.tables(), word))).is_some_and(|(word, value)| is_of_things(language.bitext(), word, value))
+    word.zip(word.and_then(|word| value_of(language.tables(), word)))
+        .is_some_and(|(word, value)| is_of_things(language.bitext(), word, value))
 }
 
 /// The value that a word names, if that is likelier than a word of a task or of the background.
