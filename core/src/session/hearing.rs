@@ -268,7 +268,7 @@ impl<M: AgentMemory> Agent<M> {
             if position.task >= self.task_count {
                 self.weigh_kinds(domain);
                 #[cfg(feature = "layer")]
-                self.weigh_parts(domain);
+                self.weigh_parts();
                 // A command that no task explains is no evidence.
                 if any == Prior::Zero {
                     for position in 0..self.task_count {
