@@ -3,12 +3,12 @@
 use crate::calibration::Mean;
 use clap::Args;
 use goodbot::asking::{Answer, Asking, Question};
-use goodbot::feedback::{Feedback, Judged, LAGS, SimulatedTrainer, Strategy, population};
+use goodbot::feedback::{Feedback, Judged, LAGS, Strategy, population};
 use goodbot::home::paper_tasks;
 use goodbot::random::{below, unit};
 use goodbot::{Agent, AgentError, Capacities, HeapMemory, Options};
 use goodbot_console::{Failure, bar, between, name_of, output};
-use goodbot_course::{CourseTrainer, Homes, Trainer, generator};
+use goodbot_course::{CourseTrainer, Homes, SimulatedTrainer, Trainer, generator};
 use rand_core::Rng;
 use rayon::prelude::*;
 use serde_json::json;
