@@ -11,6 +11,7 @@ pub(crate) fn fnv(values: impl Iterator<Item = u32>) -> u32 {
 
 /// The check of each half byte. A table for whole bytes takes 1 KB of a controller's flash, and without any the vocabulary's check takes a
 /// small controller more than a quarter of a tick.
+#[allow(clippy::indexing_slicing, reason = "it is computed when the library is compiled")]
 const TABLE: [u32; 16] = {
     let mut table = [0; 16];
     let mut at = 0;
