@@ -354,7 +354,7 @@ impl<M: AgentMemory> Agent<M> {
         let candidates = Candidates::new(session.candidates, &mut self.candidates).into_read();
         let entry = candidates.of_task(task).filter(|_| task < self.task_count).and_then(|found| candidates.entries().get(found));
         Ok(entry.map(|entry| {
-            let _ = language.begin_explaining(task, None);
+            language.begin_explaining(task);
             (language, &*self.sentence, candidates.tokens(entry))
         }))
     }
