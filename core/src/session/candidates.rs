@@ -35,15 +35,9 @@ impl Candidate {
 /// The number of used entries.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct CandidateCount {
-    len: Count,
-    used: Count,
+    len: usize,
+    used: usize,
 }
-
-/// Two bytes on controllers, where RAM is short.
-#[cfg(feature = "alloc")]
-type Count = u32;
-#[cfg(not(feature = "alloc"))]
-type Count = u16;
 
 impl CandidateCount {
     /// None.
@@ -71,7 +65,7 @@ impl<'t> CandidatesRef<'t> {
 
     /// All candidates, in order of their first occurrence.
     pub fn entries(self) -> &'t [Candidate] {
-        self.memory.candidates.get(..self.count.len as usize).unwrap_or(&[])
+        self.memory.candidates.get(..self.count.len).unwrap_or(&[])
     }
 
     /// The tokens of a candidate.
@@ -82,7 +76,7 @@ impl<'t> CandidatesRef<'t> {
 
     /// The tokens of all candidates.
     pub(super) fn all_tokens(self) -> &'t [Symbol] {
-        self.memory.candidate_tokens.get(..self.count.used as usize).unwrap_or(&[])
+        self.memory.candidate_tokens.get(..self.count.used).unwrap_or(&[])
     }
 
     /// The position of the candidate with these tokens, if there is one.
@@ -119,7 +113,7 @@ impl<'t> Candidates<'t> {
     }
 
     pub(super) fn entry_mut(&mut self, position: usize) -> Option<&mut Candidate> {
-        self.memory.candidates.get_mut(..self.count.len as usize)?.get_mut(position)
+        self.memory.candidates.get_mut(..self.count.len)?.get_mut(position)
     }
 
     /// Notes which candidate is the description of a task.
@@ -131,12 +125,12 @@ impl<'t> Candidates<'t> {
 
     /// The tokens of all candidates, to be renamed.
     pub(super) fn all_tokens_mut(&mut self) -> &mut [Symbol] {
-        self.memory.candidate_tokens.get_mut(..self.count.used as usize).unwrap_or(&mut [])
+        self.memory.candidate_tokens.get_mut(..self.count.used).unwrap_or(&mut [])
     }
 
     /// Updates the digests after the tokens were renamed.
     pub(super) fn renamed(&mut self) {
-        for position in 0..self.count.len as usize {
+        for position in 0..self.count.len {
             let Some(entry) = self.read().entries().get(position) else { continue };
             let renewed = check(self.read().tokens(entry));
             if let Some(entry) = self.entry_mut(position) {
@@ -151,24 +145,22 @@ impl<'t> Candidates<'t> {
     /// A [`CapacityError`].
     pub fn add(&mut self, task: usize, tokens: &[Symbol], likelihood: Scaled) -> Result<usize, CapacityError> {
         let limit = self.memory.candidates.len();
-        let used = self.count.used as usize;
-        let end = used + tokens.len();
+        let end = self.count.used + tokens.len();
         let full = CapacityError::new(Capacity::CandidateTokens, self.memory.candidate_tokens.len(), end);
-        let Some(entry) = self.memory.candidates.get_mut(self.count.len as usize) else {
+        let Some(entry) = self.memory.candidates.get_mut(self.count.len) else {
             return Err(CapacityError::full(Capacity::Candidates, limit));
         };
         self.memory
             .candidate_tokens
-            .get_mut(used..end)
-            .filter(|_| end <= Count::MAX as usize)
+            .get_mut(self.count.used..end)
             .ok_or(full)?
             .iter_mut()
             .zip(tokens)
             .for_each(|(slot, &token)| *slot = token);
-        let (start, len) = (used as u32, tokens.len() as u8);
+        let (start, len) = (self.count.used as u32, tokens.len() as u8);
         *entry = Candidate { start, task: task as u8, len, check: check(tokens), likelihood, weight: Scaled::ZERO };
-        let position = self.count.len as usize;
-        (self.count.len, self.count.used) = (position as Count + 1, end as Count);
+        let position = self.count.len;
+        (self.count.len, self.count.used) = (self.count.len + 1, end);
         Ok(position)
     }
 }
