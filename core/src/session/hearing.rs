@@ -294,7 +294,9 @@ impl<M: AgentMemory> Agent<M> {
         Ok(Progress::Done)
     }
 
-    /// The facts of the session's start state that its tasks' descriptions need.
+    /// The facts of the session's start state that its tasks' descriptions need. Not inlined, because its stack would stay below the
+    /// reading of the words.
+    #[inline(never)]
     pub(crate) fn scene<D: Domain>(&self, domain: &D) -> Option<Scene<D::State>> {
         let scene = self.start.map(|start| Scene::new(domain.keyed(start)));
         #[cfg(all(feature = "ways", feature = "talk"))]
