@@ -27,7 +27,7 @@ const BOARDS: [Board; 5] = [
     Board { feature: "MPS2_AN385", ..AN386 },
     // Its secure side, where it starts.
     Board { feature: "MPS2_AN505", flash: 0x1000_0000, ram: 0x3800_0000, ..AN386 },
-    Board { feature: "MICROBIT", bytes: 16 * KIB, stack: 5_320, ..AN386 },
+    Board { feature: "MICROBIT", bytes: 16 * KIB, stack: 5_312, ..AN386 },
     // All its memory is RAM, and the stack begins it; the "flash" is the part after 64 KiB.
     Board { feature: "VIRT", flash: 0x8001_0000, ram: 0x8000_0000, ..AN386 },
 ];

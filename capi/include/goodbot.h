@@ -23,11 +23,11 @@
      it and calls goodbot_feedback. A call from an interrupt or from a function of yours answers GOODBOT_STATUS_BUSY and does nothing.
    - A function with a budget does about as much work as the budget says and no more. With the preset GOODBOT_OWN, at most eight derived facts of
      an object and the budget 1, no call takes more than 62,500 instructions on a Cortex-M4F, or 200,000 on a Cortex-M0, with any input that a
-     search found, but goodbot_explain_on may take 125,000; docs/footprint.md has each. These do all at once instead, or much of it, so a control
-     loop leaves them to its start, or to moments when the robot may wait: goodbot_init_table, goodbot_explain_table, goodbot_least_capacities,
-     goodbot_hear, goodbot_hear_one_of, goodbot_hear_one_of_logs, goodbot_said with a table of words, goodbot_listen, goodbot_listen_on,
-     goodbot_correct, goodbot_finish, goodbot_home_build, goodbot_join_starter, goodbot_save, goodbot_store, goodbot_restore, goodbot_load,
-     goodbot_save_parameters and goodbot_restore_parameters; and goodbot_explain_word, unless goodbot_explain_on was called first. */
+     search found; docs/footprint.md has each. These do all at once instead, or much of it, so a control loop leaves them to its start, or to
+     moments when the robot may wait: goodbot_init_table, goodbot_explain_table, goodbot_least_capacities, goodbot_hear, goodbot_hear_one_of,
+     goodbot_hear_one_of_logs, goodbot_said with a table of words, goodbot_listen, goodbot_listen_on, goodbot_correct, goodbot_finish,
+     goodbot_home_build, goodbot_join_starter, goodbot_save, goodbot_store, goodbot_restore, goodbot_load, goodbot_save_parameters and
+     goodbot_restore_parameters; and goodbot_explain_word, unless goodbot_explain_on was called first. */
 
 #ifndef GOODBOT_H
 #define GOODBOT_H

@@ -2,7 +2,7 @@
 
 use core::ptr::NonNull;
 use goodbot::Capacities;
-use goodbot::memory::{AgentTables, HomeTables};
+use goodbot::memory::{AgentMemory, AgentTables, AgentTablesRef, HomeTables};
 
 /// The rest of the caller's memory.
 #[derive(Debug)]
@@ -23,12 +23,12 @@ impl Arena {
     /// Room for `count` values, each set to `empty`. None of them is ever dropped.
     pub fn table<T: Clone>(&mut self, count: usize, empty: T) -> Option<&'static mut [T]> {
         let first = self.place::<T>(count)?;
-        for position in 0..count {
-            // SAFETY: `place` made sure of the room and the alignment.
-            unsafe { first.add(position).write(empty.clone()) };
+        // SAFETY: `place` made sure of the room and the alignment. An empty value owns nothing, so its bytes may be copied. Each value is given
+        // to this table alone; the memory stays, as `new` was promised.
+        unsafe {
+            fill(first.as_ptr().cast(), (&raw const empty).cast(), size_of::<T>(), count);
+            Some(core::slice::from_raw_parts_mut(first.as_ptr(), count))
         }
-        // SAFETY: each value was written and is given to this table alone; the memory stays, as `new` was promised.
-        Some(unsafe { core::slice::from_raw_parts_mut(first.as_ptr(), count) })
     }
 
     /// Aligned room for `count` values, not written yet.
@@ -49,6 +49,34 @@ impl Arena {
         self.at = self.at.wrapping_add(bytes);
         self.left = self.left.wrapping_sub(bytes);
         NonNull::new(first)
+    }
+}
+
+/// Writes `count` copies of the value of `size` bytes, one after the other. The same for all types, so that it is linked once.
+///
+/// # Safety
+/// There is room for them at `to`.
+#[inline(never)]
+unsafe fn fill(to: *mut u8, value: *const u8, size: usize, count: usize) {
+    for position in 0..count {
+        // SAFETY: the caller's promise.
+        unsafe { core::ptr::copy_nonoverlapping(value, to.add(position.wrapping_mul(size)), size) };
+    }
+}
+
+/// The agent's tables in the caller's memory.
+#[derive(Debug)]
+pub struct Dealt(pub AgentTables<'static>);
+
+impl AgentMemory for Dealt {
+    fn lend(&mut self) -> AgentTables<'_> {
+        // SAFETY: the copy lives only as long as these tables are lent. They are copied together, because table by table it takes 400 bytes of
+        // flash.
+        unsafe { core::ptr::read(&raw const self.0) }
+    }
+
+    fn read(&self) -> AgentTablesRef<'_> {
+        self.0.read()
     }
 }
 

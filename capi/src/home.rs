@@ -36,7 +36,7 @@ pub unsafe extern "C" fn goodbot_init_home(
     };
     let Ok(tasks): Result<[LiftedTask; 2], _> = home::paper_tasks() else { return GoodbotStatus::Other };
     // SAFETY: `robot` is not null.
-    unsafe { settle(plot, &tasks, &mut |home| Ok(World::Nothing(home)), robot) }.unwrap_or_else(|fault| fault.failure.status)
+    unsafe { settle(plot, &tasks, &mut |home| Ok(World::Nothing(home)), robot) }.unwrap_or_else(|fault| fault.status)
 }
 
 /// As `goodbot_init_home`, for commands that may mean tasks of these kinds, `GOODBOT_MOST_TASKS` at most: `agentInRoom(?a, ?goal)`,
@@ -62,10 +62,10 @@ pub unsafe extern "C" fn goodbot_init_home_tasks(
     unsafe {
         let tasks = match kinds_of_tasks(tasks, task_count, &home::SCHEMA) {
             Ok(tasks) => tasks,
-            Err(fault) => return fault.failure.status,
+            Err(fault) => return fault.status,
         };
         match plot(memory.cast(), bytes, capacities) {
-            Ok(plot) => settle(plot, &tasks, &mut |home| Ok(World::Nothing(home)), robot).unwrap_or_else(|fault| fault.failure.status),
+            Ok(plot) => settle(plot, &tasks, &mut |home| Ok(World::Nothing(home)), robot).unwrap_or_else(|fault| fault.status),
             Err(status) => status,
         }
     }

@@ -1,6 +1,6 @@
 //! The handle: a robot at the beginning of the caller's memory.
 
-use crate::arena::{Arena, deal_agent, deal_home};
+use crate::arena::{Arena, Dealt, deal_agent, deal_home};
 use crate::capacities::GoodbotCapacities;
 use crate::status::{At, Failure, Fault, GoodbotStatus, Place};
 use crate::world::World;
@@ -10,7 +10,7 @@ use core::ptr::NonNull;
 use core::sync::atomic::{AtomicU32, Ordering};
 use goodbot::capacity::CapacityError;
 use goodbot::feedback::Strategy;
-use goodbot::memory::{AgentTables, HomeTables};
+use goodbot::memory::HomeTables;
 #[cfg(feature = "home")]
 use goodbot::oomdp::Either;
 #[cfg(feature = "learning")]
@@ -36,7 +36,7 @@ pub struct Goodbot {
 pub(crate) struct Robot {
     pub(crate) full: Option<CapacityError>,
     pub(crate) random: Pcg32,
-    pub(crate) agent: Agent<AgentTables<'static>>,
+    pub(crate) agent: Agent<Dealt>,
     pub(crate) world: World,
     #[cfg(feature = "learning")]
     pub(crate) told: Told,
@@ -89,7 +89,9 @@ impl Robot {
 pub(crate) struct Plot {
     at: NonNull<Goodbot>,
     pub(crate) home: HomeTables<'static>,
-    agent: AgentTables<'static>,
+    agent: Dealt,
+    /// Whether there is room to find out which buttons a trainer uses.
+    expects_buttons: bool,
     #[cfg_attr(not(feature = "table"), expect(dead_code, reason = "only a table takes more of it"))]
     pub(crate) arena: Arena,
 }
@@ -111,7 +113,8 @@ pub(crate) unsafe fn plot(at: *mut u8, bytes: usize, capacities: *const GoodbotC
     let at = arena.place::<Goodbot>(1).ok_or(GoodbotStatus::Memory)?;
     let home = deal_home(&mut arena, &capacities).ok_or(GoodbotStatus::Memory)?;
     let agent = deal_agent(&mut arena, &capacities).ok_or(GoodbotStatus::Memory)?;
-    Ok(Plot { at, home, agent, arena })
+    let expects_buttons = capacities.beliefs >= capacities.tasks.saturating_mul(Strategy::ONE_BUTTON_OR_BOTH.len());
+    Ok(Plot { at, home, agent: Dealt(agent), expects_buttons, arena })
 }
 
 /// Makes the robot in its place, because a copy of it on the stack takes kilobytes, and writes its handle. One function for all kinds of
@@ -125,14 +128,14 @@ pub(crate) unsafe fn settle(
     world: &mut dyn FnMut(HomeTables<'static>) -> Result<World, Fault>,
     robot: *mut *mut Goodbot,
 ) -> Result<GoodbotStatus, Fault> {
-    let Plot { at, home, agent, .. } = plot;
+    let Plot { at, home, agent, expects_buttons, .. } = plot;
     // SAFETY: `plot` made sure of the room, which nobody else uses: without the right mark no handle leads to it.
     unsafe {
         let mark = &raw mut (*at.as_ptr()).mark;
         let inner = UnsafeCell::raw_get(&raw const (*at.as_ptr()).robot);
         mark.write(AtomicU32::new(0));
         place_agent(&raw mut (*inner).agent, agent);
-        set_tasks(&mut (*inner).agent, tasks)?;
+        set_tasks(&mut (*inner).agent, tasks, expects_buttons)?;
         (&raw mut (*inner).world).write(world(home)?);
         (&raw mut (*inner).full).write(None);
         (&raw mut (*inner).random).write(Pcg32::new(0, 0x2014));
@@ -154,18 +157,17 @@ pub(crate) unsafe fn settle(
 /// # Safety
 /// `at` is room for it.
 #[inline(never)]
-unsafe fn place_agent(at: *mut Agent<AgentTables<'static>>, memory: AgentTables<'static>) {
+unsafe fn place_agent(at: *mut Agent<Dealt>, memory: Dealt) {
     // SAFETY: the caller's promise.
     unsafe { at.write(Agent::without_tasks(memory)) };
 }
 
 #[inline(never)]
-fn set_tasks(agent: &mut Agent<AgentTables<'static>>, tasks: &[LiftedTask]) -> Result<(), Fault> {
+fn set_tasks(agent: &mut Agent<Dealt>, tasks: &[LiftedTask], expects_buttons: bool) -> Result<(), Fault> {
     // People also tell it what is so already: it must not undo that.
     agent.set_tasks(tasks, Options { done: Options::SELDOM_DONE, ..Options::DEFAULT })?;
     // One button is enough, where there is room to find out which.
-    let room = agent.capacities();
-    if room.beliefs >= room.tasks.saturating_mul(Strategy::ONE_BUTTON_OR_BOTH.len()) {
+    if expects_buttons {
         let _ = agent.set_strategies(&Strategy::ONE_BUTTON_OR_BOTH);
     }
     Ok(())

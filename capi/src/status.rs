@@ -110,7 +110,10 @@ pub struct Failure {
 /// Why a description was refused, with the part that is wrong. Most calls have none, so theirs is the smaller [`Failure`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Fault {
-    pub(crate) failure: Failure,
+    pub(crate) status: GoodbotStatus,
+    /// The full table, if one was, to be explained; nobody else asks for it.
+    #[cfg(feature = "explain")]
+    pub(crate) full: Option<CapacityError>,
     #[cfg(feature = "explain")]
     pub(crate) place: Option<Place>,
 }
@@ -169,8 +172,11 @@ impl<T, E: Into<Fault>> At<T> for Result<T, E> {
 
 impl<E: Into<Failure>> From<E> for Fault {
     fn from(error: E) -> Self {
+        let failure = error.into();
         Self {
-            failure: error.into(),
+            status: failure.status,
+            #[cfg(feature = "explain")]
+            full: failure.full,
             #[cfg(feature = "explain")]
             place: None,
         }

@@ -113,13 +113,13 @@ mod tests {
         };
         let read = LiftedTask::parse("above(?up, ?down) & liftAtFloor(?lift, ?up)", &SCHEMA).unwrap();
         assert_eq!(of(&kind, 1).unwrap().as_slice(), [read]);
-        assert_eq!(of(&GoodbotKind { class_count: 7, ..kind }, 1).unwrap_err().failure.status, GoodbotStatus::Number);
-        assert_eq!(of(&GoodbotKind { proposition_count: 5, ..kind }, 1).unwrap_err().failure.status, GoodbotStatus::Number);
+        assert_eq!(of(&GoodbotKind { class_count: 7, ..kind }, 1).unwrap_err().status, GoodbotStatus::Number);
+        assert_eq!(of(&GoodbotKind { proposition_count: 5, ..kind }, 1).unwrap_err().status, GoodbotStatus::Number);
     }
 
     #[test]
     fn a_table_that_was_not_checked_is_refused_without_checks() {
-        assert_eq!(of(core::ptr::null(), 1).unwrap_err().failure.status, GoodbotStatus::Unchecked);
-        assert_eq!(of(core::ptr::null(), 0).unwrap_err().failure.status, GoodbotStatus::Unchecked);
+        assert_eq!(of(core::ptr::null(), 1).unwrap_err().status, GoodbotStatus::Unchecked);
+        assert_eq!(of(core::ptr::null(), 0).unwrap_err().status, GoodbotStatus::Unchecked);
     }
 }

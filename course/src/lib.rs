@@ -45,4 +45,4 @@ pub use exercise::{Exercise, HomeName, Intention, LESSONS, TESTS};
 pub use layout::{Homes, Layout};
 pub use lesson::{Ending, FeedbackCounts, Lesson, LessonReport, Step, Turn, run_lesson};
 pub use seed::generator;
-pub use trainer::{CourseTrainer, Trainer};
+pub use trainer::{CourseTrainer, SimulatedTrainer, Trainer};

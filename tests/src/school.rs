@@ -1,12 +1,13 @@
 //! A small school: homes of four rooms, the paper's seven lessons and five tests, and a trainer who answers by a strategy.
 
-use goodbot::feedback::{SimulatedTrainer, Strategy};
+use goodbot::feedback::Strategy;
 use goodbot::home::{Area, Cell, Home, HomeBuilder, HomeState, Moves};
 use goodbot::memory::AgentMemory;
 use goodbot::memory::HomeMemory;
 use goodbot::planning::{Judgement, OptimalSet};
 use goodbot::task::GroundedTask;
 use goodbot::{Agent, AgentError, Capacities, HeapMemory};
+use goodbot_course::SimulatedTrainer;
 use rand_pcg::Pcg32;
 
 /// A block: its colour and shape.

@@ -54,7 +54,7 @@ pub unsafe extern "C" fn goodbot_init_table(
     // SAFETY: the caller's promise.
     match unsafe { init(memory, bytes, capacities, table, robot) } {
         Ok(status) => status,
-        Err(fault) => fault.failure.status,
+        Err(fault) => fault.status,
     }
 }
 
@@ -85,7 +85,7 @@ pub unsafe extern "C" fn goodbot_explain_table(
         Ok(status) => status,
         Err(fault) => {
             explain(&mut writer, &fault);
-            fault.failure.status
+            fault.status
         }
     };
     match writer.end() {
@@ -120,7 +120,7 @@ fn explain(writer: &mut Writer, fault: &Fault) {
         }
         writer.put(": ");
     }
-    match fault.failure.full {
+    match fault.full {
         Some(full) => {
             writer.put(full.capacity.name());
             writer.put(" holds ");
@@ -129,7 +129,7 @@ fn explain(writer: &mut Writer, fault: &Fault) {
             writer.number(full.given);
             writer.put(" are needed; raise it");
         }
-        None => writer.put(text_of(fault.failure.status as i32).to_str().unwrap_or("")),
+        None => writer.put(text_of(fault.status as i32).to_str().unwrap_or("")),
     }
 }
 
@@ -341,14 +341,15 @@ unsafe fn objects(table: &GoodbotTable, attributes: &[Attribute<'static>], memor
     Ok(objects.count())
 }
 
-/// A full table, with the size that all objects need, not only those up to the one that did not fit: it is raised only once.
+/// A full table, with the size that all objects need, not only those up to the one that did not fit: it is raised only once. Nobody is told
+/// without the feature `explain`.
 ///
 /// # Safety
 /// What the objects point to is valid and stays.
 unsafe fn whole(failure: Failure, objects: &'static [GoodbotObject]) -> Failure {
     /// The texts of one object: its name and its values.
     const TEXTS: usize = 1 + GOODBOT_MOST_ATTRIBUTES;
-    let Some(full) = failure.full.filter(|_| CHECKS) else { return failure };
+    let Some(full) = failure.full.filter(|_| cfg!(feature = "explain")) else { return failure };
     let given = |at: usize| {
         let object = objects.get(at / TEXTS)?;
         let value = (at % TEXTS).checked_sub(1);

@@ -5,15 +5,13 @@
 //! - `ending`: the end of a session as evidence;
 //! - `belief`: the joint belief over tasks and trainer strategies, and its update by evidence;
 //! - `information`: the expected information of a word, in bits;
-//! - [`population`]: the strategies of real people;
-//! - `simulated_trainer`: a trainer that draws its feedback from a strategy.
+//! - [`population`]: the strategies of real people.
 
 pub(crate) mod belief;
 pub(crate) mod ending;
 pub(crate) mod information;
 pub(crate) mod judged;
 pub mod population;
-pub(crate) mod simulated_trainer;
 pub(crate) mod strategy;
 
 pub use crate::memory::{BeliefTables, BeliefTablesRef};
@@ -21,5 +19,4 @@ pub use belief::{Belief, BeliefCount, BeliefError, BeliefRef};
 pub use ending::{Ending, Hazard, Moment};
 pub use information::{Words, binary_entropy};
 pub use judged::Judged;
-pub use simulated_trainer::SimulatedTrainer;
 pub use strategy::{Feedback, LAGS, RESTS, Strategy, StrategyError, UnknownFeedback};

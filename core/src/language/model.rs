@@ -608,10 +608,9 @@ impl<'t> LanguageMut<'t> {
         self.settings.model.in_use()
     }
 
-    /// Begins to explain a command if this task is meant, unless it is explained already. Notes whose description the task has too, if that is
-    /// found, and returns it.
-    pub(crate) fn begin_explaining(&mut self, task: usize, found: Option<usize>) -> Option<usize> {
-        self.training.begin_explaining(task, found)
+    /// Begins to explain a command if this task is meant, unless it is explained already.
+    pub(crate) fn begin_explaining(&mut self, task: usize) {
+        self.training.begin_explaining(task);
     }
 
     /// What was explained is of another command.

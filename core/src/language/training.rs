@@ -18,8 +18,8 @@ use crate::planning::Progress;
 enum Phase {
     #[default]
     Done,
-    /// Done, and since then a command is explained: if this task is meant, which may have the description of a candidate of another task.
-    Explaining(usize, Option<usize>, Explained),
+    /// Done, and since then a command is explained, if this task is meant.
+    Explaining(usize, Explained),
     /// The tables get their new sizes.
     Start,
     Model2(ibm2::training::Part),
@@ -72,24 +72,16 @@ impl Training {
         matches!(self.phase, Phase::Done | Phase::Explaining(..))
     }
 
-    /// Begins to explain a command if this task is meant, unless it is explained already. Notes whose description the task has too, if that is
-    /// found, and returns it.
-    pub(super) fn begin_explaining(&mut self, task: usize, found: Option<usize>) -> Option<usize> {
-        match &mut self.phase {
-            Phase::Explaining(of, alike, _) if *of == task => {
-                *alike = found.or(*alike);
-                *alike
-            }
-            phase => {
-                *phase = Phase::Explaining(task, found, Explained::START);
-                found
-            }
+    /// Begins to explain a command if this task is meant, unless it is explained already.
+    pub(super) fn begin_explaining(&mut self, task: usize) {
+        if !matches!(self.phase, Phase::Explaining(of, _) if of == task) {
+            self.phase = Phase::Explaining(task, Explained::START);
         }
     }
 
     /// The progress of explaining a command; `None` if none is explained.
     pub(super) fn explained(&mut self) -> Option<&mut Explained> {
-        if let Phase::Explaining(.., explained) = &mut self.phase { Some(explained) } else { None }
+        if let Phase::Explaining(_, explained) = &mut self.phase { Some(explained) } else { None }
     }
 
     /// Other work takes the memory of what was explained.

@@ -80,6 +80,8 @@ macro_rules! for_each_agent_table {
                 candidates: $crate::session::Candidate = $crate::session::Candidate::UNUSED; candidates,
                 /// Their tokens.
                 candidate_tokens: $crate::symbols::Symbol = $crate::symbols::Symbol::new(0); candidate_tokens,
+                /// The role model: one entry per task, the position of its description among the candidates.
+                described: u8 = 0; tasks,
             } ()
             /// The tables of the belief.
             belief: BeliefTables BeliefTablesRef {

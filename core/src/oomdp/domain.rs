@@ -78,7 +78,7 @@ pub struct World<'a> {
 /// [`holds`](Self::holds), call [`Agent::leave`](crate::Agent::leave) before you exchange one for the other, or rename one of their
 /// objects.
 ///
-/// The folder `examples` has four robots: one that turns and drives, an arm, lamps in a house, and a lift made of tables.
+/// The folder `examples` has two robots: an arm, and a lift made of tables.
 pub trait Domain: Sized {
     /// Everything that changes as the robot acts.
     type State: Copy + PartialEq;

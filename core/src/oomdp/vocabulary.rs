@@ -1,7 +1,7 @@
 //! The digest of a domain's vocabulary: robots with the same vocabulary can share training data.
 
 use super::Schema;
-use crate::checksum::{CHECK, Check};
+use crate::checksum::Running;
 
 /// A digest of the domain's vocabulary: its propositional functions with their classes, and its attributes with their carriers. Never 0,
 /// which means no domain.
@@ -18,7 +18,7 @@ pub fn continued(schema: &Schema<'_>, earlier: u32) -> Option<usize> {
 
 /// The digest of the first propositional functions and attributes.
 fn digest_of(schema: &Schema<'_>, propositions: usize, attributes: usize) -> u32 {
-    let mut digest = CHECK.digest();
+    let mut digest = Running::new();
     let mut name = |text: &str| take(&mut digest, text);
     for proposition in schema.propositions.iter().take(propositions) {
         name(proposition.name);
@@ -35,12 +35,12 @@ fn digest_of(schema: &Schema<'_>, propositions: usize, attributes: usize) -> u32
         }
         name("");
     }
-    digest.finalize().max(1)
+    digest.value().max(1)
 }
 
 /// Adds a name and its end to the digest. Not inlined, because it has many callers.
 #[inline(never)]
-fn take(digest: &mut Check, text: &str) {
+fn take(digest: &mut Running, text: &str) {
     digest.update(text.as_bytes());
     digest.update(&[0]);
 }

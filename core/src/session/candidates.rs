@@ -23,6 +23,11 @@ pub struct Candidate {
 }
 
 impl Candidate {
+    /// The number of its tokens.
+    pub(super) fn length(&self) -> usize {
+        usize::from(self.len)
+    }
+
     /// The value of unused memory.
     pub const UNUSED: Self = Self { start: 0, task: 0, len: 0, check: 0, likelihood: Scaled::ZERO, weight: Scaled::ZERO };
 }
@@ -80,6 +85,11 @@ impl<'t> CandidatesRef<'t> {
         self.entries().iter().position(|entry| entry.check == check && self.tokens(entry) == tokens)
     }
 
+    /// The description of a task, for the role model: the tasks of a session have one each, and at most as many as a byte counts.
+    pub(crate) fn of_task(self, task: usize) -> Option<usize> {
+        self.memory.described.get(task).map(|&position| usize::from(position))
+    }
+
     /// The last candidate that was added for a task, if any.
     pub(crate) fn added_for(self, task: usize) -> Option<usize> {
         self.entries().iter().rposition(|entry| usize::from(entry.task) == task)
@@ -96,8 +106,21 @@ impl<'t> Candidates<'t> {
         CandidatesRef { memory: self.memory.read(), count: *self.count }
     }
 
+    /// The candidates, read-only from now on.
+    pub(super) fn into_read(self) -> CandidatesRef<'t> {
+        let CandidateTables { candidates, candidate_tokens, described } = self.memory;
+        CandidatesRef { memory: CandidateTablesRef { candidates, candidate_tokens, described }, count: *self.count }
+    }
+
     pub(super) fn entry_mut(&mut self, position: usize) -> Option<&mut Candidate> {
         self.memory.candidates.get_mut(..self.count.len)?.get_mut(position)
+    }
+
+    /// Notes which candidate is the description of a task.
+    pub(super) fn describes(&mut self, position: usize, task: usize) {
+        if let Some(slot) = self.memory.described.get_mut(task) {
+            *slot = position as u8;
+        }
     }
 
     /// The tokens of all candidates, to be renamed.

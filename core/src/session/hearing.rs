@@ -268,7 +268,7 @@ impl<M: AgentMemory> Agent<M> {
             if position.task >= self.task_count {
                 self.weigh_kinds(domain);
                 #[cfg(feature = "layer")]
-                self.weigh_parts(domain);
+                self.weigh_parts();
                 // A command that no task explains is no evidence.
                 if any == Prior::Zero {
                     for position in 0..self.task_count {
@@ -294,7 +294,9 @@ impl<M: AgentMemory> Agent<M> {
         Ok(Progress::Done)
     }
 
-    /// The facts of the session's start state that its tasks' descriptions need.
+    /// The facts of the session's start state that its tasks' descriptions need. Not inlined, because its stack would stay below the
+    /// reading of the words.
+    #[inline(never)]
     pub(crate) fn scene<D: Domain>(&self, domain: &D) -> Option<Scene<D::State>> {
         let scene = self.start.map(|start| Scene::new(domain.keyed(start)));
         #[cfg(all(feature = "ways", feature = "talk"))]

@@ -137,7 +137,7 @@ impl<M: AgentMemory> Agent<M> {
         let candidates = CandidatesRef::new(session.read().candidates, self.candidates);
         self.language.with(language, workspace).add_session(&self.sentence, shares(candidates, self.options.least_weight))?;
         #[cfg(feature = "layer")]
-        self.add_possible(domain);
+        self.add_possible();
         self.set_ended();
         self.forget_plan();
         self.take_usage();
@@ -228,7 +228,7 @@ impl<M: AgentMemory> Agent<M> {
                     let room = self.keep(step)?;
                     if room == Room::Found {
                         #[cfg(feature = "layer")]
-                        self.add_possible(domain);
+                        self.add_possible();
                         self.progressed = Progressed::Tidying(Step::Look);
                     }
                     left = left.saturating_sub(self.cells_of(room));
@@ -334,7 +334,6 @@ impl<M: AgentMemory> Agent<M> {
     }
 
     fn weigh_on<D: Domain>(&mut self, domain: &D, left: &mut u32) -> Result<Progress, AgentError> {
-        let mut scene = self.scene(domain);
         while let Progressed::Weighing(mut position, weights) = self.progressed {
             if position.task >= self.task_count {
                 let unexplained = weights == Weights::Paper && self.candidates().entries().iter().all(|entry| entry.weight.is_zero());
@@ -353,14 +352,11 @@ impl<M: AgentMemory> Agent<M> {
                 Weights::Belief => self.belief().weight(position.task),
             };
             let mut part = None;
-            let done = self.for_each_candidate(domain, &mut scene, &mut position, left, |candidates, _, _, tokens, share| {
+            let done = self.for_each_candidate(domain, &mut position, left, |entry, share| {
                 // Equal for all constraints of a task.
                 let evidence = *part.get_or_insert_with(|| evidence.scaled_by(share));
-                if let Some(entry) = candidates.read().find(tokens).and_then(|found| candidates.entry_mut(found)) {
-                    let explained = if weights == Weights::Paper { entry.likelihood } else { Scaled::ONE };
-                    entry.weight = entry.weight.plus(evidence.times(explained));
-                }
-                Ok(Scaled::ZERO)
+                let explained = if weights == Weights::Paper { entry.likelihood } else { Scaled::ONE };
+                entry.weight = entry.weight.plus(evidence.times(explained));
             })?;
             if done {
                 position = Position::of_task(position.task.saturating_add(1));

@@ -1,6 +1,6 @@
 //! The header of a slot: which model is newer, how long it is, and a check.
 
-use crate::checksum::CHECK;
+use crate::checksum::Running;
 
 /// Bytes of a slot's header, before rounding up to the flash's write size: a mark, the sequence number, the model's length and a CRC-32 of
 /// these three.
@@ -25,7 +25,9 @@ impl SlotHeader {
             *slot = byte;
         }
         if let Some((checked, check)) = bytes.split_last_chunk_mut::<4>() {
-            *check = CHECK.checksum(checked).to_le_bytes();
+            let mut sum = Running::new();
+            sum.update(checked);
+            *check = sum.value().to_le_bytes();
         }
         bytes
     }

@@ -290,6 +290,8 @@ impl<S> Scene<S> {
 ///
 /// # Errors
 /// A [`CapacityError`] if `tokens` has no room for the lifted task's own token, and any if the description was broken off.
+// Its room on the stack is free again when the description is read.
+#[inline(never)]
 pub fn describe<D: Domain>(
     domain: &D,
     all: &[LiftedTask],

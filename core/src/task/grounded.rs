@@ -85,12 +85,24 @@ impl GroundedTask {
 /// # Errors
 /// A [`CapacityError`] if `tasks` is too small.
 pub fn ground<D: Domain>(domain: &D, lifted: &[LiftedTask], state: &D::State, tasks: &mut [GroundedTask]) -> Result<usize, CapacityError> {
+    ground_some(domain, lifted, state, tasks, false)
+}
+
+/// As [`ground`]; also the tasks that hold already, if `held` is set. A function of its own, so that it is compiled once.
+#[inline(never)]
+fn ground_some<D: Domain>(
+    domain: &D,
+    lifted: &[LiftedTask],
+    state: &D::State,
+    tasks: &mut [GroundedTask],
+    held: bool,
+) -> Result<usize, CapacityError> {
     ground_unless(domain.world().objects, lifted, tasks, |task, lifted| {
         if !is_admitted(domain, task, lifted) {
             return true;
         }
         let holds = |part: &GroundProposition| domain.holds(part, state);
-        if lifted.has_way() { Way::of(task, lifted).is_idle(holds) } else { task.propositions(lifted).all(|part| holds(&part)) }
+        if lifted.has_way() { Way::of(task, lifted).is_idle(holds) } else { !held && task.propositions(lifted).all(|part| holds(&part)) }
     })
 }
 
@@ -120,10 +132,7 @@ pub fn ground_with_done<D: Domain>(
     if done == 0.0 {
         return ground(domain, lifted, state, tasks);
     }
-    let found = ground_unless(domain.world().objects, lifted, tasks, |task, lifted| {
-        !is_admitted(domain, task, lifted) || lifted.has_way() && Way::of(task, lifted).is_idle(|part| domain.holds(part, state))
-    });
-    let Ok(count) = found else { return ground(domain, lifted, state, tasks) };
+    let Ok(count) = ground_some(domain, lifted, state, tasks, true) else { return ground(domain, lifted, state, tasks) };
     let tasks = tasks.get_mut(..count).unwrap_or(&mut []);
     share_with_done(lifted, tasks, done, |part| domain.holds(part, state));
     Ok(count)

@@ -5,154 +5,101 @@ use crate::language::for_each_piece;
 use crate::language::is_slip;
 use core::fmt;
 
-/// A closed class of words.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-#[repr(u8)]
-pub enum Class {
+/// Makes the classes, with their names in a table, from one list.
+macro_rules! classes {
+    ($($(#[$meta:meta])* $Class:ident = $name:literal,)*) => {
+        /// A closed class of words.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        #[repr(u8)]
+        pub enum Class {
+            $($(#[$meta])* $Class,)*
+        }
+
+        impl Class {
+            /// All classes, in order.
+            pub const ALL: [Self; [$($name),*].len()] = [$(Self::$Class,)*];
+
+            /// Its name in a table.
+            pub const fn name(self) -> &'static str {
+                match self {
+                    $(Self::$Class => $name,)*
+                }
+            }
+        }
+    };
+}
+
+classes! {
     /// "not", "never", "except".
-    Negation,
+    Negation = "negation",
     /// "leave", "out", "away". A word that is polite as well, such as "away", is of this class only before "from".
-    Out,
+    Out = "out",
     /// "of", "from": after a word such as "out".
-    From,
+    From = "from",
     /// "but", "anywhere", "only".
-    But,
+    But = "but",
     /// "stop", "wait".
-    Stop,
+    Stop = "stop",
     /// "good", "well".
-    Praise,
+    Praise = "praise",
     /// "bad", "wrong".
-    Blame,
+    Blame = "blame",
     /// "yes", "okay".
-    Yes,
+    Yes = "yes",
     /// "no".
-    No,
+    No = "no",
     /// "again", "back", "undo".
-    Again,
+    Again = "again",
     /// "and", "then".
-    Connective,
+    Connective = "connective",
     /// "or", "any": lets the robot choose. A negation of this class as well, such as French "ne", negates only with another one.
-    Or,
+    Or = "or",
     /// "all", "both", "everything".
-    All,
+    All = "all",
     /// "it", "there", "other".
-    Pronoun,
+    Pronoun = "pronoun",
     /// "hello", "thanks".
-    Greeting,
+    Greeting = "greeting",
     /// "what", "is", "where".
-    Asking,
+    Asking = "asking",
     /// "please", "could you", "I want".
-    Polite,
+    Polite = "polite",
     /// "it": the thing of the last task.
-    It,
+    It = "it",
     /// "there": the place named last. If it is of the class `here` as well, such as "where" and "beside", it tells a place by a thing there.
-    There,
+    There = "there",
     /// "back": the place before the last task.
-    Back,
+    Back = "back",
     /// "other", "another".
-    Other,
+    Other = "other",
     /// "same", "too".
-    Same,
+    Same = "same",
     /// "undo".
-    Undo,
+    Undo = "undo",
     /// "I", "she", "my": the words after it describe somebody's action, and ask for nothing.
-    Speaker,
+    Speaker = "speaker",
     /// "you": the one addressed, so that "I want you to go" asks for something.
-    You,
+    You = "you",
     /// "if". A connective that is of this class as well, such as "before", introduces the command that is done last.
-    If,
+    If = "if",
     /// "to", "into", "towards": a direction, named by the words after it. Commands contain such words too.
-    Toward,
+    Toward = "toward",
     /// "le" in "apporte-le", "lo" in "llévalo": "it", joined to a verb. Elsewhere such a word is an article.
-    Clitic,
+    Clitic = "clitic",
     /// "want": the speaker names a goal rather than an action.
-    Wish,
+    Wish = "wish",
     /// "meant": the speaker corrects the robot.
-    Meant,
+    Meant = "meant",
     /// "aller": an act word, and no slip for a word of another class, whatever its spelling. If it is of the class `out` as well, such as
     /// "leave", it leaves a thing in the named place. If it is of the class `if` as well, such as "forget", and negated, it asks for the
     /// action after it. If it is of the class `asking` as well, such as "have", it puts an act into the past. If it is of the class `polite`
     /// as well, such as "first", its command comes first.
-    Act,
+    Act = "act",
     /// "here", "stay": the goal holds already, and its place needs no name.
-    Here,
+    Here = "here",
 }
 
 impl Class {
-    /// All classes, in order.
-    pub const ALL: [Self; 32] = [
-        Self::Negation,
-        Self::Out,
-        Self::From,
-        Self::But,
-        Self::Stop,
-        Self::Praise,
-        Self::Blame,
-        Self::Yes,
-        Self::No,
-        Self::Again,
-        Self::Connective,
-        Self::Or,
-        Self::All,
-        Self::Pronoun,
-        Self::Greeting,
-        Self::Asking,
-        Self::Polite,
-        Self::It,
-        Self::There,
-        Self::Back,
-        Self::Other,
-        Self::Same,
-        Self::Undo,
-        Self::Speaker,
-        Self::You,
-        Self::If,
-        Self::Toward,
-        Self::Clitic,
-        Self::Wish,
-        Self::Meant,
-        Self::Act,
-        Self::Here,
-    ];
-
-    /// Its name in a table.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Negation => "negation",
-            Self::Out => "out",
-            Self::From => "from",
-            Self::But => "but",
-            Self::Stop => "stop",
-            Self::Praise => "praise",
-            Self::Blame => "blame",
-            Self::Yes => "yes",
-            Self::No => "no",
-            Self::Again => "again",
-            Self::Connective => "connective",
-            Self::Or => "or",
-            Self::All => "all",
-            Self::Pronoun => "pronoun",
-            Self::Greeting => "greeting",
-            Self::Asking => "asking",
-            Self::Polite => "polite",
-            Self::It => "it",
-            Self::There => "there",
-            Self::Back => "back",
-            Self::Other => "other",
-            Self::Same => "same",
-            Self::Undo => "undo",
-            Self::Speaker => "speaker",
-            Self::You => "you",
-            Self::If => "if",
-            Self::Toward => "toward",
-            Self::Clitic => "clitic",
-            Self::Wish => "wish",
-            Self::Meant => "meant",
-            Self::Act => "act",
-            Self::Here => "here",
-        }
-    }
-
     /// Whether an utterance of such words alone is no command.
     pub const fn is_talk(self) -> bool {
         matches!(self, Self::Stop | Self::Praise | Self::Blame | Self::Yes | Self::No | Self::Again | Self::Greeting | Self::Asking)

@@ -376,6 +376,24 @@ fn each_word_is_explained_and_its_shares_sum_to_one() {
 }
 
 #[test]
+fn tasks_that_words_cannot_tell_apart_are_explained_alike_and_in_as_many_parts() {
+    let mut agent = taught();
+    let mut homes = HeapMemory::new(&Capacities::SMALL);
+    let (home, state) = home(&mut homes.home, ["green", "red", "red"], Some(("yellow", "bag")), [0, 1, 2]);
+    agent.hear(&home, &state, "take the bag to the red room").unwrap();
+    let [first, second] = ["room1", "room2"].map(|room| {
+        let (task, mut parts, mut meanings) = (task(&agent, &home, ("block0", room)), 0, Vec::new());
+        while agent.explain_on(&home, task, 1).unwrap() == Progress::Working {
+            parts += 1;
+        }
+        agent.explain(&home, task, |position, meaning, share| meanings.push((position, meaning, share))).unwrap();
+        (parts, meanings)
+    });
+    assert!(first.0 > 0 && first.1.len() > 7, "{first:?}");
+    assert_eq!(first, second);
+}
+
+#[test]
 fn long_and_unheard_commands_get_a_sensible_answer() {
     let mut agent = taught();
     let long = "go to the red room and ".repeat(10);

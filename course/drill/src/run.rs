@@ -1,7 +1,7 @@
 //! The run: lessons, then tests.
 
 use crate::digest::Digest;
-use goodbot::feedback::{SimulatedTrainer, Strategy, binary_entropy};
+use goodbot::feedback::{Strategy, binary_entropy};
 use goodbot::home;
 use goodbot::memory::{AgentMemory, HomeMemory};
 use goodbot::oomdp::Domain;
@@ -10,7 +10,7 @@ use goodbot::{Agent, Options};
 use goodbot_course::exercise::{self, Exercise, TESTS};
 use goodbot_course::layout::Layout;
 use goodbot_course::lesson::{Lesson, Turn};
-use goodbot_course::{CourseError, Homes, generator};
+use goodbot_course::{CourseError, Homes, SimulatedTrainer, generator};
 
 /// How many lessons there are.
 pub const LESSONS: usize = exercise::LESSONS.len();

@@ -2,7 +2,7 @@
 
 use crate::digest::Digest;
 use crate::run::{Budget, SEED, Watch};
-use goodbot::feedback::{SimulatedTrainer, Strategy};
+use goodbot::feedback::Strategy;
 use goodbot::home;
 use goodbot::memory::{AgentMemory, HomeMemory};
 use goodbot::oomdp::Domain;
@@ -10,7 +10,7 @@ use goodbot::planning::Progress;
 use goodbot::{Agent, Options};
 use goodbot_course::exercise::{Exercise, LESSONS};
 use goodbot_course::lesson::{Lesson, Turn};
-use goodbot_course::{CourseError, Homes, generator};
+use goodbot_course::{CourseError, Homes, SimulatedTrainer, generator};
 
 /// What came of the stops.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

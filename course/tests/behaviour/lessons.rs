@@ -1,6 +1,6 @@
 //! The driver of a lesson: when the trainer ends it, and what the agent has learned then.
 
-use goodbot::feedback::{Feedback, SimulatedTrainer, Strategy};
+use goodbot::feedback::{Feedback, Strategy};
 use goodbot::home::{Area, Cell};
 use goodbot::memory::AgentMemory;
 use goodbot::memory::HomeMemory;
@@ -11,8 +11,8 @@ use goodbot_course::exercise::HomeName;
 use goodbot_course::layout::BlockPlan;
 use goodbot_course::lesson::{MOST_STEPS, RESTS};
 use goodbot_course::{
-    CourseError, CourseTrainer, Ending, Exercise, Homes, Intention, LESSONS, Layout, Observer, Results, Scene, Step, generator, run_course,
-    run_lesson,
+    CourseError, CourseTrainer, Ending, Exercise, Homes, Intention, LESSONS, Layout, Observer, Results, Scene, SimulatedTrainer, Step,
+    generator, run_course, run_lesson,
 };
 
 const BALANCED: Strategy = Strategy::BALANCED;

@@ -3,13 +3,13 @@
 //! `GOODBOT_ROBOTS=200 cargo test --workspace --test behaviour next_lesson:: -- --nocapture` prints the figures of docs/teach.md. The rule
 //! was chosen in the homes as drawn; it is judged in random homes, different ones for each robot.
 
-use goodbot::feedback::{SimulatedTrainer, Strategy};
+use goodbot::feedback::Strategy;
 use goodbot::home::Cell;
 use goodbot::memory::AgentMemory;
 use goodbot::{Agent, Capacities, HeapMemory, Options, home};
 use goodbot_course::layout::BlockPlan;
 use goodbot_course::next_lesson::{next_lesson, times_heard};
-use goodbot_course::{Exercise, HomeName, Homes, Intention, LESSONS, Layout, generator, run_lesson};
+use goodbot_course::{Exercise, HomeName, Homes, Intention, LESSONS, Layout, SimulatedTrainer, generator, run_lesson};
 use rand_core::Rng;
 
 const ROOMS: [&str; 4] = ["green", "red", "blue", "yellow"];

@@ -6,11 +6,11 @@
 
 use crate::robots;
 use goodbot::asking::Asking;
-use goodbot::feedback::{Feedback, Judged, LAGS, SimulatedTrainer, Strategy, population};
+use goodbot::feedback::{Feedback, Judged, LAGS, Strategy, population};
 use goodbot::home::paper_tasks;
 use goodbot::random::{below, unit};
 use goodbot::{Agent, AgentError, Capacities, HeapMemory, Options};
-use goodbot_course::{CourseTrainer, Homes, Trainer, generator};
+use goodbot_course::{CourseTrainer, Homes, SimulatedTrainer, Trainer, generator};
 use goodbot_lab::calibration::Mean;
 use goodbot_lab::study::trainer::answer;
 use rand_core::Rng;

@@ -1,4 +1,4 @@
-//! The robots of the core's examples learn their commands.
+//! The robots of the core's examples learn their commands, and one that switches lamps.
 
 use crate::arm;
 use crate::lamps;

@@ -4,7 +4,6 @@
 mod arm;
 #[path = "../../../firmware/src/commands.rs"]
 mod commands;
-#[path = "../../../core/examples/lamps/domain.rs"]
 mod lamps;
 #[path = "../../../firmware/src/lessons.rs"]
 mod lessons;
@@ -12,7 +11,6 @@ mod lessons;
 mod lift;
 #[path = "../../../core/examples/teach/mod.rs"]
 mod teach;
-#[path = "../../../core/examples/turning_robot/domain.rs"]
 mod turning_robot;
 
 use goodbot_drill::digest;

@@ -1,16 +1,18 @@
 //! A task as one description, with all facts about it in the session's start state, for the role model.
 
-use crate::capacity::{Capacities, CapacityError, LIFTED_TASKS, TOKENS_PER_COMMAND};
+use crate::capacity::{Capacities, LIFTED_TASKS, TOKENS_PER_COMMAND};
 use crate::feedback::Belief;
 use crate::language::roles::Layout;
 use crate::language::roles::forward::Reading;
-use crate::language::{LanguageMut, LanguageRef, Meaning, Model};
+use crate::language::{LanguageMut, Meaning, Model};
 use crate::memory::{AgentMemory, AgentTables};
 use crate::oomdp::{Action, ActionKind, Domain, GroundProposition, OneByOne, World, digest};
 use crate::planning::Progress;
 use crate::probability::Scaled;
 use crate::session::agent::Agent;
-use crate::session::candidates::{Candidates, CandidatesRef};
+#[cfg(any(feature = "layer", feature = "ways"))]
+use crate::session::candidates::CandidatesRef;
+use crate::session::candidates::{Candidate, Candidates};
 use crate::session::error::AgentError;
 use crate::session::least::{Lessons, Survey};
 #[cfg(feature = "ways")]
@@ -27,6 +29,9 @@ const LOOKED_FOR: u32 = 24;
 /// The position in a description that is made at once, because other work took the memory of its first part.
 #[cfg(feature = "ways")]
 const AT_ONCE: u16 = u16::MAX;
+
+/// The language, a command, and the description of the task for which it is read.
+type Read<'a> = (LanguageMut<'a>, &'a [Option<Symbol>], &'a [Symbol]);
 
 /// A domain in which every proposition holds, or none.
 struct Constant<'d, D> {
@@ -137,11 +142,13 @@ impl<M: AgentMemory> Agent<M> {
             Some(added) => added,
             None => {
                 *left = left.saturating_sub(description.len() as u32);
-                if let Some(entry) = candidates.read().find(&description).and_then(|found| candidates.read().entries().get(found)) {
-                    position.sum = entry.likelihood;
+                if let Some(found) = candidates.read().find(&description) {
+                    candidates.describes(found, position.task);
+                    position.sum = candidates.read().entries().get(found).map_or(Scaled::ZERO, |entry| entry.likelihood);
                     return Ok(true);
                 }
                 let added = candidates.add(position.task, &description, Scaled::ZERO)?;
+                candidates.describes(added, position.task);
                 if *left == 0 {
                     return Ok(false);
                 }
@@ -167,7 +174,7 @@ impl<M: AgentMemory> Agent<M> {
     pub(in crate::session) fn describe_anew(&mut self) {
         let (model, candidates) =
             (self.options.language.model.in_use(), CandidatesRef::new(self.memory.read().session.candidates, self.candidates));
-        if let Progressed::Hearing(position, _) | Progressed::Weighing(position, _) = &mut self.progressed
+        if let Progressed::Hearing(position, _) = &mut self.progressed
             && model == Model::Roles
             && position.constraint > 0
             && candidates.added_for(position.task).is_none()
@@ -191,39 +198,21 @@ impl<M: AgentMemory> Agent<M> {
         let mut candidates = Candidates::new(session.candidates, &mut self.candidates);
         let mut description = Tokens::new();
         describe(domain, &self.lifted, grounded, scene, language.tokens_mut(), &mut description)?;
-        if candidates.read().find(&description).is_none() {
-            candidates.add(task, &description, likelihood)?;
-        }
+        let position = match candidates.read().find(&description) {
+            Some(found) => found,
+            None => candidates.add(task, &description, likelihood)?,
+        };
+        candidates.describes(position, task);
         Ok(())
     }
 
-    #[inline(never)]
-    pub(super) fn with_description<D: Domain>(
-        &mut self,
-        domain: &D,
-        scene: &mut Scene<D::State>,
-        position: &mut Position,
-        left: &mut u32,
-        mut each: impl FnMut(&mut Candidates<'_>, LanguageRef<'_>, &[Option<Symbol>], &[Symbol], f32) -> Result<Scaled, CapacityError>,
-    ) -> Result<bool, AgentError> {
-        let mut description = Tokens::new();
-        let added = self.candidates().added_for(position.task);
-        if added.is_none() && !self.describe_on(domain, scene, position, *left, &mut description)? {
-            *left = 0;
-            return Ok(false);
-        }
-        let AgentTables { language, session, workspace } = self.memory.lend();
-        let language = self.language.with(language, workspace);
-        let mut candidates = Candidates::new(session.candidates, &mut self.candidates);
-        let read = candidates.read();
-        if let Some(entry) = added.and_then(|added| read.entries().get(added)) {
-            let _ = description.extend_from_slice(read.tokens(entry));
-        }
-        let value = each(&mut candidates, language.read(), &self.sentence, &description, 1.0)?;
-        position.sum = position.sum.plus(value);
-        let cells = description.len().saturating_mul(self.sentence.len().max(1)).saturating_mul(4);
+    /// Calls `each` with the description of the task at the position.
+    pub(super) fn with_description(&mut self, position: &Position, left: &mut u32, each: impl FnOnce(&mut Candidate, f32)) {
+        let mut candidates = Candidates::new(self.memory.lend().session.candidates, &mut self.candidates);
+        let Some(entry) = candidates.read().of_task(position.task).and_then(|found| candidates.entry_mut(found)) else { return };
+        each(entry, 1.0);
+        let cells = entry.length().saturating_mul(self.sentence.len().max(1)).saturating_mul(4);
         *left = left.saturating_sub(cells as u32);
-        Ok(true)
     }
 
     /// Weighs the kinds of task.
@@ -248,36 +237,20 @@ impl<M: AgentMemory> Agent<M> {
         language.read().weigh_kinds(&self.sentence, form, prior, belief.priors_mut());
     }
 
-    /// The candidate of each of the session's tasks, by its description; `None` if a task has none.
-    #[cfg(feature = "layer")]
-    fn described<D: Domain>(&mut self, domain: &D) -> Option<alloc::vec::Vec<u16>> {
-        let mut scene = self.scene(domain)?;
-        let AgentTables { language, session, workspace } = self.memory.lend();
-        let mut language = self.language.with(language, workspace);
-        let candidates = CandidatesRef::new(session.candidates.read(), self.candidates);
-        let (mut described, mut description) = (alloc::vec::Vec::new(), Tokens::new());
-        for task in session.tasks.get(..self.task_count).unwrap_or(&[]) {
-            describe(domain, &self.lifted, task, &mut scene, language.tokens_mut(), &mut description).ok()?;
-            described.push(candidates.find(&description)? as u16);
-        }
-        Some(described)
-    }
-
     /// Replaces the tasks' weights by the layer's.
     #[cfg(feature = "layer")]
     #[inline(never)]
-    pub(in crate::session) fn weigh_parts<D: Domain>(&mut self, domain: &D) {
+    pub(in crate::session) fn weigh_parts(&mut self) {
         if !self.options.language.has_layer() {
             return;
         }
-        let Some(described) = self.described(domain) else { return };
         let AgentTables { language, session, workspace } = self.memory.lend();
         let language = self.language.with(language, workspace);
         let candidates = CandidatesRef::new(session.candidates.read(), self.candidates);
         let mut belief = Belief::new(session.belief, &mut self.belief);
-        let same = |task: usize| described.iter().position(|other| Some(other) == described.get(task)).unwrap_or(task);
+        let same = |task: usize| (0..task).find(|&other| candidates.of_task(other) == candidates.of_task(task)).unwrap_or(task);
         let description = |task: usize| {
-            let entry = described.get(task).and_then(|&at| candidates.entries().get(usize::from(at)));
+            let entry = candidates.of_task(task).and_then(|at| candidates.entries().get(at));
             entry.map_or(&[][..], |entry| candidates.tokens(entry))
         };
         language.read().weigh_parts(&self.sentence, same, description, belief.priors_mut());
@@ -286,17 +259,16 @@ impl<M: AgentMemory> Agent<M> {
     /// Gives the layer the possible tasks of the session that joined the training data last. If it has no room for them, it learns nothing
     /// from the session.
     #[cfg(feature = "layer")]
-    pub(in crate::session) fn add_possible<D: Domain>(&mut self, domain: &D) {
+    pub(in crate::session) fn add_possible(&mut self) {
         if !self.options.language.has_layer() {
             return;
         }
-        let Some(described) = self.described(domain) else { return };
         let AgentTables { language, session, workspace } = self.memory.lend();
         let mut language = self.language.with(language, workspace);
         let candidates = CandidatesRef::new(session.candidates.read(), self.candidates);
         let tasks = session.tasks.get(..self.task_count).unwrap_or(&[]);
         let prior = |at: usize| -> f32 {
-            tasks.iter().zip(&described).filter(|&(_, &other)| usize::from(other) == at).map(|(task, _)| task.prior).sum()
+            tasks.iter().enumerate().filter(|&(task, _)| candidates.of_task(task) == Some(at)).map(|(_, task)| task.prior).sum()
         };
         let all = candidates.entries().iter().enumerate().map(|(at, entry)| (candidates.tokens(entry), prior(at)));
         let _ = language.add_possible(all);
@@ -340,10 +312,10 @@ impl<M: AgentMemory> Agent<M> {
     /// # Errors
     /// As [`explain`](Self::explain).
     pub fn explain_on<D: Domain>(&mut self, domain: &D, task: usize, budget: u32) -> Result<Progress, AgentError> {
-        let progress = self.with_explained(domain, task, |language, sentence, description, is_work| {
-            if is_work { Ok(Progress::Working) } else { language.explain_on(sentence, description, budget) }
-        });
-        Ok(progress?.unwrap_or(Progress::Done))
+        match self.read_for(domain, task)? {
+            Some((mut language, sentence, description)) => Ok(language.explain_on(sentence, description, budget)?),
+            None => Ok(Progress::Done),
+        }
     }
 
     /// As [`explain`](Self::explain), of the word at this position alone. Returns false, and tells nothing, until
@@ -358,44 +330,33 @@ impl<M: AgentMemory> Agent<M> {
         position: usize,
         tell: impl FnMut(Meaning, f32),
     ) -> Result<bool, AgentError> {
-        let told = self.with_explained(domain, task, |language, sentence, description, _| {
-            Ok(language.explain_word(sentence, description, position, tell))
-        });
-        Ok(told?.unwrap_or(true))
+        let explained = self.read_for(domain, task)?;
+        Ok(explained.is_none_or(|(mut language, sentence, description)| language.explain_word(sentence, description, position, tell)))
     }
 
-    /// Passes the language, the command and a task's description to `take`, unless there is nothing that explains words. Most tasks were
-    /// described when the command was heard. One whose description is another's too is described again, once, and then takes the other's:
-    /// `take` is told so.
+    /// The language, the command and a task's description; `None` if there is nothing that explains words.
     #[inline(never)]
-    fn with_explained<D: Domain, T>(
-        &mut self,
-        domain: &D,
-        task: usize,
-        take: impl FnOnce(&mut LanguageMut<'_>, &[Option<Symbol>], &[Symbol], bool) -> Result<T, CapacityError>,
-    ) -> Result<Option<T>, AgentError> {
+    fn read_for<D: Domain>(&mut self, domain: &D, task: usize) -> Result<Option<Read<'_>>, AgentError> {
         if self.domain != digest(domain) {
             return Err(AgentError::OtherDomain);
         }
         if let phase @ (Phase::Learning | Phase::Hearing) = self.phase() {
             return Err(AgentError::NotNow(phase));
         }
-        let start = self.start.ok_or(AgentError::NotNow(Phase::Idle))?;
+        if self.start.is_none() {
+            return Err(AgentError::NotNow(Phase::Idle));
+        }
         let AgentTables { language, session, workspace } = self.memory.lend();
         let mut language = self.language.with(language, workspace);
-        let Some(grounded) = session.tasks.get(..self.task_count).and_then(|tasks| tasks.get(task)) else { return Ok(None) };
         if language.model() != Model::Roles || language.read().tables().words() == 0 || language.read().is_training() {
             return Ok(None);
         }
-        let candidates = CandidatesRef::new(session.candidates.read(), self.candidates);
-        let alike = language.begin_explaining(task, None);
-        if let Some(entry) = candidates.added_for(task).or(alike).and_then(|added| candidates.entries().get(added)) {
-            return Ok(Some(take(&mut language, &self.sentence, candidates.tokens(entry), false)?));
-        }
-        let (mut description, mut scene) = (Tokens::new(), Scene::new(domain.keyed(start)));
-        describe(domain, &self.lifted, grounded, &mut scene, language.tokens_mut(), &mut description)?;
-        let found = language.begin_explaining(task, candidates.find(&description));
-        Ok(Some(take(&mut language, &self.sentence, &description, found.is_some())?))
+        let candidates = Candidates::new(session.candidates, &mut self.candidates).into_read();
+        let entry = candidates.of_task(task).filter(|_| task < self.task_count).and_then(|found| candidates.entries().get(found));
+        Ok(entry.map(|entry| {
+            language.begin_explaining(task);
+            (language, &*self.sentence, candidates.tokens(entry))
+        }))
     }
 
     /// A description depends on the places of the robot and the objects in the start state: each session can have its own.

@@ -7,7 +7,7 @@ mod constraints;
 mod description;
 
 use super::agent::Agent;
-use super::candidates::Candidates;
+use super::candidates::{Candidate, Candidates};
 use super::error::AgentError;
 use super::least::{Lessons, Survey};
 use super::phase::Position;
@@ -76,20 +76,26 @@ impl<M: AgentMemory> Agent<M> {
         }
     }
 
-    /// Continues over the machine commands of a task: adds Pr(c|s,l,t), which is the last argument of `each`, times the result of `each` to
-    /// the position's sum. Returns whether all of the task's are done.
+    /// Continues to call `each` with the machine commands of the task at the position, and Pr(c|s,l,t). Returns whether all of the task's are
+    /// done.
     pub(super) fn for_each_candidate<D: Domain>(
         &mut self,
         domain: &D,
-        scene: &mut Option<Scene<D::State>>,
         position: &mut Position,
         left: &mut u32,
-        mut each: impl FnMut(&mut Candidates<'_>, LanguageRef<'_>, &[Option<Symbol>], &[Symbol], f32) -> Result<Scaled, CapacityError>,
+        mut each: impl FnMut(&mut Candidate, f32),
     ) -> Result<bool, AgentError> {
-        match (self.model(), scene) {
-            (Model::Model2, _) => self.for_each_constraint(domain, position, left, &mut each),
-            (Model::Roles, Some(scene)) => self.with_description(domain, scene, position, left, each),
-            (Model::Roles, None) => Ok(true),
+        match self.model() {
+            Model::Model2 => self.for_each_constraint(domain, position, left, &mut |candidates, _, _, tokens, share| {
+                if let Some(entry) = candidates.read().find(tokens).and_then(|found| candidates.entry_mut(found)) {
+                    each(entry, share);
+                }
+                Ok(Scaled::ZERO)
+            }),
+            Model::Roles => {
+                self.with_description(position, left, each);
+                Ok(true)
+            }
         }
     }
 

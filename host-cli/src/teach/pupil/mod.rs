@@ -16,7 +16,7 @@ pub use thoughts::{Idea, Meaning, WordSupport};
 
 use super::site::{Scene, Table, scene, table};
 use crate::teach::site::{Recorded, Setting, Site, SiteState, session, session_mut};
-use goodbot::feedback::{Feedback, SimulatedTrainer, Strategy};
+use goodbot::feedback::{Feedback, Strategy};
 use goodbot::language::Synonyms;
 use goodbot::memory::AgentHeap;
 use goodbot::planning::OptimalSet;
@@ -30,7 +30,7 @@ use goodbot_console::load::words::said_in_known_words;
 use goodbot_console::restored::{learn_fully, room_for, room_for_tasks};
 use goodbot_console::{Believes, Failure, Starter, restored, say};
 use goodbot_course::exercise::Intention;
-use goodbot_course::generator;
+use goodbot_course::{SimulatedTrainer, generator};
 use goodbot_formats::environment::EnvironmentFile;
 use goodbot_lesson::first_words::{read, words_read};
 use goodbot_lesson::live::{Lesson, LiveError};
