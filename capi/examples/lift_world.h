@@ -123,7 +123,7 @@ static const goodbot_table lift_table = {
 
 /* With these, every lesson is kept and every plan is exact. Where a pointer has four bytes, the robot takes LIFT_BYTES_32 bytes;
    goodbot_table_size(&lift_capacities) says how many it takes. */
-#define LIFT_BYTES_32 13112
+#define LIFT_BYTES_32 13104
 #if GOODBOT_CAPACITIES != 25
 #error "print these capacities with the goodbot that this library comes from"
 #endif
