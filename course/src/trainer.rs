@@ -10,6 +10,17 @@ pub trait Trainer {
     fn feedback<R: Rng + ?Sized>(&self, correct: bool, random: &mut R) -> Feedback;
 }
 
+/// The feedback that a number from 0 to 1 draws, by the probabilities of reward and punishment; else silence.
+pub fn drawn(draw: f32, [reward, punish]: [f32; 2]) -> Feedback {
+    if draw < reward {
+        Feedback::Reward
+    } else if draw < reward + punish {
+        Feedback::Punish
+    } else {
+        Feedback::Neutral
+    }
+}
+
 /// A trainer who knows the intended task and follows a strategy.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SimulatedTrainer {
@@ -28,14 +39,7 @@ impl SimulatedTrainer {
     fn said_to<R: Rng + ?Sized>(&self, judged: Judged, random: &mut R) -> Feedback {
         let probability = |feedback| self.strategy.probability_after(feedback, judged);
         let (Some(reward), Some(punish)) = (probability(Feedback::Reward), probability(Feedback::Punish)) else { return Feedback::Neutral };
-        let draw = unit(random);
-        if draw < reward {
-            Feedback::Reward
-        } else if draw < reward + punish {
-            Feedback::Punish
-        } else {
-            Feedback::Neutral
-        }
+        drawn(unit(random), [reward, punish])
     }
 
     /// Its feedback after these actions, the last one first, each judged for the intended task. The lags decide which of the three the

@@ -203,9 +203,8 @@ impl<M: AgentMemory> Agent<M> {
     }
 
     /// The task of the words that stand, which are explained.
-    pub(super) fn judge_repaired<'w>(&self, likeliest: Judged<'w>, shape: Shape, explained: &mut Explained) -> Judged<'w> {
-        let whole = total(explained.weights.iter().copied());
-        if whole.is_zero() {
+    pub(super) fn judge_repaired<'w>(&self, likeliest: Judged<'w>, shape: Shape, explained: &Explained) -> Judged<'w> {
+        if total(explained.weights.iter().copied()).is_zero() {
             return Judged { tasks: TaskSet::EMPTY, ..likeliest };
         }
         let judged = self.judge_command(likeliest, Choice::Likeliest, explained);

@@ -539,7 +539,7 @@ impl<M: AgentMemory> Agent<M> {
     }
 
     /// The task of a plain command, and any objections to it.
-    pub(super) fn judge_command<'w>(&self, likeliest: Judged<'w>, choice: Choice, explained: &mut Explained) -> Judged<'w> {
+    pub(super) fn judge_command<'w>(&self, likeliest: Judged<'w>, choice: Choice, explained: &Explained) -> Judged<'w> {
         let Judged { words, command, .. } = likeliest;
         let Some((task, of_command)) = explained.chosen(self.among(choice, explained)) else { return likeliest };
         let doubts = Doubts::of(&[

@@ -339,8 +339,8 @@ fn value_of(tables: TablesRef<'_>, word: Symbol) -> Option<Symbol> {
 /// names none.
 const NAME: f32 = 0.8;
 
-/// Whether nearly all commands that have a word, if any has it, are about something with this value. If all lessons start in one place, words of every
-/// command occur with that place and do not name it.
+/// Whether nearly all commands that have a word are about something with this value; so it is of a word that no command has. If all lessons
+/// start in one place, words of every command occur with that place and do not name it.
 fn is_of_things(bitext: BitextRef<'_>, word: Symbol, value: Symbol) -> bool {
     let (mut with, mut all) = (0.0_f32, 0.0_f32);
     for session in (0..bitext.sessions() as u16).filter(|&session| bitext.sentence(session).contains(&word)) {

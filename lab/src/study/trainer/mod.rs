@@ -8,6 +8,7 @@ use goodbot::asking::{Answer, Question};
 use goodbot::feedback::{Feedback, Strategy};
 use goodbot::random::{below, unit};
 use goodbot_course::CourseTrainer;
+use goodbot_course::trainer::drawn;
 use population::Population;
 use rand_core::Rng;
 
@@ -150,18 +151,12 @@ impl Listening {
             lag -= **share;
             lag < 0.0
         });
-        let [reward, punish] = match meant {
+        let probabilities = match meant {
             Some((_, Some(true))) => self.habits.right,
             Some((_, Some(false))) => self.habits.wrong,
             Some((_, None)) | None => [0.0; 2],
         };
-        if draw < reward {
-            Feedback::Reward
-        } else if draw < reward + punish {
-            Feedback::Punish
-        } else {
-            Feedback::Neutral
-        }
+        drawn(draw, probabilities)
     }
 
     /// Whether the trainer leaves after a step.
