@@ -1,11 +1,11 @@
 //! How well the tasks here explain words, some of which may refer to earlier sentences.
 
-use super::absent::with_ghost;
+use super::absent::{Spoken, with_ghost};
 use super::context::{Context, DONE, STAYS, View};
 use super::conversation::Before;
 use super::recalled::{Recalled, readings, without};
 use super::syntax::{begins_with_way, is_verbless, names_thing_and_way, neighbouring_names, new_names, new_verb};
-use super::wording::{is_plain, take_pause};
+use super::wording::take_pause;
 use super::words::Words;
 use crate::capacity::{LIFTED_TASKS, WORDS_PER_COMMAND};
 use crate::language::LanguageRef;
@@ -241,6 +241,7 @@ impl<M: AgentMemory> Agent<M> {
         *explained = Explained { acts, has_new_verb, done: view.done, ..Explained::NEW };
         let mut forms: Vec<Symbol, { TaskSet::MOST }> = Vec::new();
         let mut ghosts: Vec<Scaled, { TaskSet::MOST }> = Vec::new();
+        let spoken = Spoken::of(language.read());
         let is_told = |position: usize| context.told.is_none_or(|told| told.tasks.contains(position));
         let is_meant = |position: usize| {
             let fits = |recalled: Recalled<'_>| tasks.get(position).is_some_and(|task| recalled.fits(domain, &self.lifted, task));
@@ -275,10 +276,9 @@ impl<M: AgentMemory> Agent<M> {
             let _ = explained.weights.push(whole.scaled_by(if is_other { OTHER_KIND * prior } else { prior }));
             let _ = forms.push(form(&description).unwrap_or(Symbol(0)));
             // The place or the thing may be one that is not here.
-            let is_form = |token: Symbol| layout.forms().contains(&token);
             let (mut absent, mut kinds) = (Scaled::ZERO, 0.0_f32);
             for kind in [RoleKind::Goal, RoleKind::Subject] {
-                if let Some(ghost) = with_ghost(&description, kind, layout.tokens(), bitext, &is_form) {
+                if let Some(ghost) = with_ghost(&description, kind, language.read(), &spoken) {
                     (absent, kinds) = (absent.plus(explain(&ghost, Some(kind))), kinds + 1.0);
                 }
             }
@@ -304,13 +304,13 @@ fn name(
     recalled: Option<&Recalled<'_>>,
 ) -> (Named, bool, bool) {
     let wording = context.wording;
-    let is_plain = |word| is_plain(language, wording.closed, word);
+    let is_plain = |word| wording.is_plain(language, word);
     let mut senses = Senses::new(language.tables(), language.bitext(), &is_plain, wording.facts);
     let mut named = Named::of(&mut senses, said);
     named.has_new(new_names(words));
     let verb = new_verb(words);
     let kinds = verb.map_or(0, |behind| {
-        let toward = |word| wording.closed.of(language.words().text(word)).contains(Class::Toward);
+        let toward = |word| wording.is_toward(language, word);
         let is_behind: Option<&dyn Fn(Symbol) -> bool> = if behind.is_some_and(|word| word.is_toward) { Some(&toward) } else { None };
         senses.acts_before(behind.and_then(|word| word.said.symbol), is_behind)
     });

@@ -3,10 +3,10 @@
 use super::heard::count;
 use super::verdict::Reading;
 use crate::language::LanguageRef;
-use crate::language::roles::talk::{Coverage, Senses};
+use crate::language::roles::talk::{Coverage, MOST_WORDS, Senses};
 use crate::session::AgentError;
 use crate::symbols::Symbol;
-use crate::voice::classes::{Class, ClosedWords};
+use crate::voice::classes::{Class, Classes, ClosedWords};
 
 /// The least probability of a new word in a command.
 const OF_OTHERS: f32 = 0.02;
@@ -35,12 +35,25 @@ pub(super) struct Wording<'c> {
     pub observe: Observe<'c>,
     /// The sort of derived facts in descriptions.
     pub facts: u8,
+    /// The words of lessons that are never the sign of a task, whatever the lessons suggest, and those that lead to a place.
+    plain: Marks,
+    toward: Marks,
 }
+
+/// A mark for each of the first words of lessons, one bit each. The table of closed words is a text, so each word is looked up once.
+type Marks = [u64; MOST_WORDS.div_ceil(64)];
 
 impl<'c> Wording<'c> {
     pub fn of(language: LanguageRef<'_>, closed: ClosedWords<'c>, facts: u8, (pause, observe): (Pause<'c>, Observe<'c>)) -> Self {
         let (bitext, words) = (language.bitext(), language.tables().words());
-        let is_plain = |word| is_plain(language, closed, word);
+        let (mut plain, mut toward) = (Marks::default(), Marks::default());
+        for word in 0..words.min(MOST_WORDS) {
+            let classes = closed.of(language.words().text(Symbol(word as u16)));
+            for (marks, holds) in [(&mut plain, is_plain(classes)), (&mut toward, classes.contains(Class::Toward))] {
+                marks.iter_mut().skip(word / 64).take(1).for_each(|marks| *marks |= u64::from(holds) << (word % 64));
+            }
+        }
+        let is_plain = |word| has(plain, word).unwrap_or_else(|| is_plain(closed.of(language.words().text(word))));
         let coverage = Coverage::of(&mut Senses::new(language.tables(), bitext, &is_plain, facts));
         let sessions = bitext.sessions();
         let sentences = || (0..sessions as u16).map(|session| bitext.sentence(session));
@@ -57,11 +70,27 @@ impl<'c> Wording<'c> {
             end: 1.0 / (1.0 + all / sessions),
             observe,
             facts,
+            plain,
+            toward,
         }
+    }
+
+    /// Whether a word of lessons is never the sign of a task, whatever the lessons suggest.
+    pub fn is_plain(&self, language: LanguageRef<'_>, word: Symbol) -> bool {
+        has(self.plain, word).unwrap_or_else(|| is_plain(self.closed.of(language.words().text(word))))
+    }
+
+    /// Whether a word of lessons leads to a place.
+    pub fn is_toward(&self, language: LanguageRef<'_>, word: Symbol) -> bool {
+        has(self.toward, word).unwrap_or_else(|| self.closed.of(language.words().text(word)).contains(Class::Toward))
     }
 }
 
-/// Whether a word is never the sign of a task, whatever the lessons suggest.
-pub(super) fn is_plain(language: LanguageRef<'_>, closed: ClosedWords<'_>, word: Symbol) -> bool {
-    closed.of(language.words().text(word)).contains_any(&[Class::Polite, Class::Connective, Class::All])
+fn is_plain(classes: Classes) -> bool {
+    classes.contains_any(&[Class::Polite, Class::Connective, Class::All])
+}
+
+/// Whether a word is marked; `None` for one beyond the first.
+fn has(marks: Marks, word: Symbol) -> Option<bool> {
+    marks.get(word.index() / 64).map(|marks| marks >> (word.index() % 64) & 1 == 1)
 }

@@ -92,15 +92,13 @@ pub(crate) struct Senses<'t> {
     bitext: BitextRef<'t>,
     /// Whether a word belongs to no task, whatever the lessons say.
     is_plain: &'t dyn Fn(Symbol) -> bool,
-    /// For each word, whether that is so, once it was asked.
-    plain: Vec<Option<bool>, MOST_WORDS>,
     known: Vec<Option<Sense>, MOST_WORDS>,
     /// The sort of derived facts, which nobody needs to name.
     facts: u8,
 }
 
 /// The number of words whose meaning is stored; that of the others is computed each time. A controller has fewer words, and little stack.
-const MOST_WORDS: usize = if cfg!(feature = "alloc") { 256 } else { 64 };
+pub(crate) const MOST_WORDS: usize = if cfg!(feature = "alloc") { 256 } else { 64 };
 
 #[derive(Clone, Copy)]
 struct Sense {
@@ -111,16 +109,9 @@ struct Sense {
 
 impl<'t> Senses<'t> {
     pub fn new(tables: TablesRef<'t>, bitext: BitextRef<'t>, is_plain: &'t dyn Fn(Symbol) -> bool, facts: u8) -> Self {
-        let (mut plain, mut known) = (Vec::new(), Vec::new());
-        let words = tables.words().min(MOST_WORDS);
-        let _ = (plain.resize(words, None), known.resize(words, None));
-        Self { tables, bitext, is_plain, plain, known, facts }
-    }
-
-    /// Whether a word belongs to no task. The table of closed words is a text, so each word is looked up once.
-    fn is_plain(&mut self, word: Symbol) -> bool {
-        let Some(slot) = self.plain.get_mut(word.index()) else { return (self.is_plain)(word) };
-        *slot.get_or_insert_with(|| (self.is_plain)(word))
+        let mut known = Vec::new();
+        let _ = known.resize(tables.words().min(MOST_WORDS), None);
+        Self { tables, bitext, is_plain, known, facts }
     }
 
     fn of(&mut self, word: Symbol) -> Sense {
@@ -128,7 +119,7 @@ impl<'t> Senses<'t> {
             return sense;
         }
         let value = value_of(self.tables, word).filter(|&value| is_of_things(self.bitext, word, value));
-        let acts = if value.is_some() || self.is_plain(word) { 0 } else { sign_of(self.tables.layout(), self.bitext, word) };
+        let acts = if value.is_some() || (self.is_plain)(word) { 0 } else { sign_of(self.tables.layout(), self.bitext, word) };
         let sense = Sense { value, acts };
         if let Some(slot) = self.known.get_mut(word.index()) {
             *slot = Some(sense);
@@ -151,7 +142,7 @@ impl Senses<'_> {
         let (layout, bitext) = (self.tables.layout(), self.bitext);
         let names = next.is_some_and(|next| self.of(next).value.is_some());
         let (with, all) = kinds_said(layout, bitext, &mut |session| {
-            let second = bitext.sentence(session).iter().copied().skip_while(|&word| self.is_plain(word)).nth(1);
+            let second = bitext.sentence(session).iter().copied().skip_while(|&word| (self.is_plain)(word)).nth(1);
             second.is_some_and(|word| {
                 Some(word) == next || names && self.of(word).value.is_some() || is_alike.is_some_and(|is_alike| is_alike(word))
             })
