@@ -8,11 +8,15 @@ use std::collections::BTreeMap;
 /// How often each reading is seen.
 const ROUNDS: usize = 8;
 /// The rate of learning, and what slows the first steps.
-const RATE: f64 = 0.05;
-const SLOWLY: f64 = 1.0;
+const RATE: f32 = 0.05;
+const SLOWLY: f32 = 1.0;
 
 /// The value of a word as a feature: words are believed sooner than clues.
 const WORD: f64 = 2.0;
+/// The share of words that are hidden in each round, so that no reading depends on one word alone (Srivastava et al. 2014, *Dropout: a
+/// simple way to prevent neural networks from overfitting*). The value of the others makes up for them.
+const HIDDEN: f64 = 0.1;
+const HEARD_WORD: f32 = (WORD / (1.0 - HIDDEN)) as f32;
 /// Weights are whole numbers up to this.
 const MOST: f64 = 127.0;
 /// How often the senses of words are moved to the middle of their words.
@@ -43,12 +47,17 @@ pub struct Example<'e> {
 }
 
 impl Example<'_> {
+    /// The clues for all kinds of readings and for its own, with their values.
+    fn clues_of_both(&self) -> impl Iterator<Item = (usize, f32)> {
+        let both = |(&clue, &value): (&u16, &f32)| [clue, clue.saturating_add(self.to_kind)].map(|clue| (usize::from(clue), value));
+        self.clues.iter().zip(self.values).flat_map(both)
+    }
+
     /// The features for all kinds of readings and for its own, with their values.
     fn each(&self) -> impl Iterator<Item = (usize, f64)> {
-        let both =
-            |(&clue, &value): (&u16, &f32)| [clue, clue.saturating_add(self.to_kind)].map(|clue| (usize::from(clue), f64::from(value)));
         let of_word = |(hash, _): &(u32, String)| [0, self.kind].map(|kind| (WORDS + kind * HASHED + *hash as usize, WORD));
-        self.clues.iter().zip(self.values).flat_map(both).chain(self.words.iter().chain(self.between).flat_map(of_word))
+        let clues = self.clues_of_both().map(|(clue, value)| (clue, f64::from(value)));
+        clues.chain(self.words.iter().chain(self.between).flat_map(of_word))
     }
 }
 
@@ -56,7 +65,7 @@ impl Example<'_> {
 #[derive(Clone, Copy, Debug)]
 pub struct Prices {
     /// The price of the square of a weight.
-    pub square: f64,
+    pub square: f32,
     /// How many words may have weights.
     pub most: usize,
 }
@@ -92,17 +101,18 @@ impl Fitted {
 /// for, and the sum of the squares of their slopes.
 #[derive(Clone, Copy, Default)]
 struct Learned {
-    asked: f64,
-    squares: f64,
-    weight: f64,
+    asked: f32,
+    /// The root of the sum.
+    height: f32,
+    weight: f32,
 }
 
 impl Learned {
-    fn learn(&mut self, slope: f64, price: f64) {
-        let (before, squares) = (self.squares.sqrt(), self.squares + slope * slope);
-        self.asked += slope - (squares.sqrt() - before) / RATE * self.weight;
-        self.squares = squares;
-        self.weight = -self.asked / ((SLOWLY + squares.sqrt()) / RATE + price);
+    fn learn(&mut self, slope: f32, price: f32) {
+        let height = (self.height * self.height + slope * slope).sqrt();
+        self.asked += slope - (height - self.height) / RATE * self.weight;
+        self.height = height;
+        self.weight = -self.asked / ((SLOWLY + height) / RATE + price);
     }
 }
 
@@ -173,35 +183,71 @@ fn senses(words: &[([f64; KINDS], f64)]) -> (Vec<[f64; KINDS]>, Vec<u8>) {
     (middles, of)
 }
 
+/// The words of an utterance that are kept, and those between two commands or in a repair of each of its readings.
+struct Kept {
+    words: Vec<u32>,
+    between: Vec<Vec<u32>>,
+}
+
+/// Any order and any choice will do, but always the same: Knuth's generator.
+fn next(random: &mut u64) -> u64 {
+    *random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+    *random >> 33
+}
+
 /// Fits these weights, and that of every reading.
-fn fit_some(utterances: &[Vec<Example<'_>>], kept: &[bool], price: f64) -> (Vec<f64>, f64) {
-    let price = price * ROUNDS as f64;
+fn fit_some(utterances: &[Vec<Example<'_>>], kept: &[bool], price: f32) -> (Vec<f64>, f64) {
+    let price = price * ROUNDS as f32;
+    let of_words = |words: &[(u32, String)]| words.iter().map(|(hash, _)| *hash).filter(|&hash| kept[WORDS + hash as usize]).collect();
+    let of_utterance = |readings: &Vec<Example<'_>>| Kept {
+        words: readings.first().map_or(Vec::new(), |reading| of_words(reading.words)),
+        between: readings.iter().map(|reading| of_words(reading.between)).collect(),
+    };
+    let words: Vec<Kept> = utterances.iter().map(of_utterance).collect();
     let (mut learned, mut bias) = (vec![Learned::default(); kept.len()], Learned::default());
     let mut order: Vec<usize> = (0..utterances.len()).collect();
     let mut random = 1_u64;
+    let (mut heard, mut odds) = (Vec::new(), Vec::new());
     for _ in 0..ROUNDS {
         for at in (1..order.len()).rev() {
-            // Knuth's generator: any order will do, but always the same.
-            random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            order.swap(at, (random >> 33) as usize % (at + 1));
+            order.swap(at, next(&mut random) as usize % (at + 1));
         }
-        for readings in order.iter().map(|&at| &utterances[at]) {
-            let odds = |example: &Example<'_>| {
-                let sum: f64 = example.each().map(|(clue, value)| learned[clue].weight * value).sum();
-                libm::exp((bias.weight + sum).clamp(-30.0, 30.0))
+        for (readings, kept) in order.iter().map(|&at| (&utterances[at], &words[at])) {
+            let salt = next(&mut random);
+            // Of every utterance and in every round other words are hidden, but the same ones from all of its readings (Steele, Lea and Flood
+            // 2014, *Fast splittable pseudorandom number generators*).
+            let is_heard = |hash: &u32| {
+                let mixed = (salt ^ u64::from(*hash)).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+                let drawn = (mixed ^ mixed >> 29).wrapping_mul(0xbf58_476d_1ce4_e5b9) >> 40;
+                drawn as f64 >= HIDDEN * f64::from(1 << 24)
             };
-            let odds: Vec<f64> = readings.iter().map(odds).collect();
-            let all = 1.0 + odds.iter().sum::<f64>();
-            let right: f64 = odds.iter().zip(readings).filter(|(_, reading)| reading.holds).map(|(odds, _)| odds).sum();
-            for (odds, example) in odds.into_iter().zip(readings) {
-                let wanted = if example.holds { odds / right } else { 0.0 };
+            heard.clear();
+            heard.extend(kept.words.iter().copied().filter(is_heard));
+            let of_word = |hash: u32, kind: usize| [0, kind].map(|kind| WORDS + kind * HASHED + hash as usize);
+            let mut of_kind = [None; KINDS + 1];
+            odds.clear();
+            for (reading, between) in readings.iter().zip(&kept.between) {
+                let weight = |of: usize| learned[of].weight;
+                let of_words = |hash: u32| of_word(hash, reading.kind).into_iter().map(weight).sum::<f32>() * HEARD_WORD;
+                let words = of_kind[reading.kind].get_or_insert_with(|| heard.iter().map(|&hash| of_words(hash)).sum::<f32>());
+                let clues = reading.clues_of_both().map(|(clue, value)| learned[clue].weight * value).sum::<f32>();
+                let between = between.iter().filter(|hash| is_heard(hash)).map(|&hash| of_words(hash)).sum::<f32>();
+                odds.push(libm::expf((bias.weight + *words + clues + between).clamp(-30.0, 30.0)));
+            }
+            let all = 1.0 + odds.iter().sum::<f32>();
+            let right: f32 = odds.iter().zip(readings).filter(|(_, reading)| reading.holds).map(|(odds, _)| odds).sum();
+            for ((&odds, reading), between) in odds.iter().zip(readings).zip(&kept.between) {
+                let wanted = if reading.holds { odds / right } else { 0.0 };
                 let slope = odds / all - wanted;
                 bias.learn(slope, 0.0);
-                example.each().filter(|&(clue, _)| kept[clue]).for_each(|(clue, value)| learned[clue].learn(slope * value, price));
+                reading.clues_of_both().for_each(|(clue, value)| learned[clue].learn(slope * value, price));
+                for &hash in heard.iter().chain(between.iter().filter(|hash| is_heard(hash))) {
+                    of_word(hash, reading.kind).into_iter().for_each(|at| learned[at].learn(slope * HEARD_WORD, price));
+                }
             }
         }
     }
-    (learned.into_iter().map(|learned| learned.weight).collect(), bias.weight)
+    (learned.into_iter().map(|learned| learned.weight.into()).collect(), bias.weight.into())
 }
 
 #[cfg(test)]

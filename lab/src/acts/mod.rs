@@ -17,6 +17,7 @@ use goodbot_console::output::{self, Kind, Output};
 use rayon::prelude::*;
 use readings::{Did, Read, Said};
 use serde_json::json;
+use sets::Set;
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::Write;
 use std::path::PathBuf;
@@ -60,8 +61,8 @@ pub struct ActsOptions {
     #[arg(long)]
     explain: bool,
     /// The price of the square of a weight: larger prices make smaller weights
-    #[arg(long, value_name = "PRICE", default_value = "1.5")]
-    price: f64,
+    #[arg(long, value_name = "PRICE", default_value = "0.5")]
+    price: f32,
     /// How many words may have weights
     #[arg(long, value_name = "NUMBER", default_value = "15000")]
     most: usize,
@@ -96,10 +97,7 @@ struct Figures {
 pub fn run(options: &ActsOptions) -> Result<(), Failure> {
     let target = options.weights.as_ref().map(|file| Output::new(Kind::Weights, file, [&options.sets], options.force)).transpose()?;
     let sets = sets::read(&options.sets)?;
-    let progress = bar(sets.len(), "reading sentences");
-    let read = |set| readings::of(set).inspect(|_| progress.inc(1));
-    let said: Vec<Said> = sets.par_iter().map(read).collect::<Result<Vec<_>, _>>()?.into_iter().flatten().collect();
-    progress.finish_and_clear();
+    let said = read(&sets, options.first_look)?;
     let prices = Prices { square: options.price, most: options.most };
     let mut out = output::text(&[target.as_ref()])?;
     let mut authors: Vec<&str> = said.iter().map(|said| said.author.as_str()).filter(|author| !author.starts_with(FOR_TRAINING)).collect();
@@ -180,6 +178,23 @@ pub fn run(options: &ActsOptions) -> Result<(), Failure> {
         writeln!(out, "weights of {} clues and {} words in {}", fitted.clues.len(), fitted.words.len(), target.name())?;
     }
     Ok(out.flush()?)
+}
+
+/// The readings of all sets; one that is listed twice counts twice, but is read once.
+fn read(sets: &[Set], acts: bool) -> Result<Vec<Said>, Failure> {
+    let first = |at: usize| sets.iter().position(|set| set.reads_as(&sets[at])).unwrap_or(at);
+    let firsts: Vec<usize> = (0..sets.len()).map(first).collect();
+    let progress = bar(sets.len(), "reading sentences");
+    let read = |(at, set)| {
+        progress.inc(1);
+        if firsts[at] == at { readings::of(set, acts) } else { Ok(Vec::new()) }
+    };
+    let mut said: Vec<Vec<Said>> = sets.par_iter().enumerate().map(read).collect::<Result<_, _>>()?;
+    progress.finish_and_clear();
+    for (at, set) in sets.iter().enumerate().filter(|&(at, _)| firsts[at] != at) {
+        said[at] = said[firsts[at]].iter().map(|it| Said { author: set.author.clone(), ..it.clone() }).collect();
+    }
+    Ok(said.into_iter().flatten().collect())
 }
 
 /// Prints the weights, the largest first.

@@ -36,7 +36,7 @@ pub struct Said {
     pub readings: Vec<Read>,
     /// What follows the first of several commands, heard where the first led to; `None` if no reading has the first rightly.
     pub rest: Option<Box<Said>>,
-    /// What the robot did, if it did not wait.
+    /// What the robot did, if it was to act and did not wait.
     pub did: Option<Did>,
 }
 
@@ -110,11 +110,11 @@ struct Weighed {
     rest: Option<usize>,
 }
 
-/// Reads the sentences of a set.
+/// Reads the sentences of a set; if asked, the robot acts on them, too.
 ///
 /// # Errors
 /// The faults of its files.
-pub fn of(set: &Set) -> Result<Vec<Said>, Failure> {
+pub fn of(set: &Set, acts: bool) -> Result<Vec<Said>, Failure> {
     let flaw = |message: String| Failure::Input(format!("{}: {message}", set.home.display()));
     let environment = input::home(&InputFile::from(set.home.clone().into_os_string()))?;
     let lifted = paper_tasks().map_err(|error| flaw(error.to_string()))?;
@@ -123,7 +123,7 @@ pub fn of(set: &Set) -> Result<Vec<Said>, Failure> {
     let mut agent = restored::agent_beside(&set.model, &lifted, &Default::default())?;
     let mut said = Vec::new();
     for sentence in &set.sentences {
-        let read = heard(&mut agent, &home, &start, (set, sentence));
+        let read = heard(&mut agent, &home, &start, (set, sentence), acts);
         said.push(read.map_err(|error| flaw(format!("{:?}: {error}", sentence.words)))?);
     }
     Ok(said)
@@ -134,6 +134,7 @@ fn heard(
     home: &Home<&mut HomeHeap>,
     start: &HomeState,
     (set, sentence): (&Set, &Sentence),
+    acts: bool,
 ) -> Result<Said, AgentError> {
     agent.resume(goodbot::talk::Conversation::NEW);
     let mut state = *start;
@@ -146,6 +147,9 @@ fn heard(
     }
     let (read, listened) = readings(agent, home, &state, (set, sentence), false)?;
     let rest = rest(agent, home, &state, (set, sentence), &read, &listened)?;
+    if !acts {
+        return Ok(Said { rest, ..read });
+    }
     // The rest was heard in between.
     let listened = agent.listen(home, &state, &sentence.words, CLOSED_WORDS)?;
     let did = did(agent, home, state, sentence, listened)?;

@@ -14,6 +14,8 @@ pub struct Set {
     pub model: PathBuf,
     /// The home.
     pub home: PathBuf,
+    /// The file of the sentences.
+    pub file: PathBuf,
     /// The sentences.
     pub sentences: Vec<Sentence>,
 }
@@ -38,6 +40,13 @@ pub struct Meaning {
     pub tasks: Vec<String>,
     /// Whether their order counts.
     pub is_ordered: bool,
+}
+
+impl Set {
+    /// Whether a robot reads the sentences of both in the same way.
+    pub fn reads_as(&self, other: &Self) -> bool {
+        [&self.model, &self.home, &self.file] == [&other.model, &other.home, &other.file]
+    }
 }
 
 impl Meaning {
@@ -68,7 +77,7 @@ pub fn read(list: &Path) -> Result<Vec<Set>, Failure> {
             return Err(Failure::Input(format!("{}:{at}: {} has no sentences", list.display(), file.display())));
         }
         let [author, language] = [author, language].map(String::clone);
-        sets.push(Set { author, language, model: folder.join(model), home: folder.join(home), sentences: of_file });
+        sets.push(Set { author, language, model: folder.join(model), home: folder.join(home), file, sentences: of_file });
     }
     Ok(sets)
 }
