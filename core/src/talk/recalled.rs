@@ -182,7 +182,7 @@ pub(super) fn of_last(before: Before<'_>, shape: Shape) -> Option<Recalled<'_>> 
         Shape::OtherThing => (Thing::Other, Place::Named),
         Shape::RobotToo => (Thing::Robot, Place::Named),
         Shape::NotThere => (Thing::Same, Place::Named),
-        Shape::Name | Shape::Clause | Shape::Earlier | Shape::All | Shape::Hither => return None,
+        Shape::Name | Shape::Clause | Shape::Earlier | Shape::All | Shape::Hither | Shape::Beside => return None,
     };
     let is_done = matches!(before, Before::Known(conversation) if conversation.last().is_some_and(|last| !last.is_negated()));
     is_done.then_some(Recalled { before, thing, place, is_of_last_kind: shape != Shape::RobotToo })

@@ -11,6 +11,7 @@
 use super::acceptance::BETWEEN;
 use super::context::{Context, ToldTasks, View};
 use super::explained::Explained;
+use super::heard::Heard;
 use super::hypothesis::Judged;
 use super::recalled::of_last;
 use super::verdict::Choice;
@@ -30,7 +31,9 @@ const OF_LAST: f32 = 100.0;
 /// The most names of an utterance that are looked at, and the most repairs that are weighed: those by a name, and those without.
 const NAMES: usize = 6;
 const BY_NAME: usize = 4;
-pub(super) const WEIGHED: usize = BY_NAME + Shape::WITHOUT_NAME.len() + 1;
+/// The most names of words of which one tells a place by a thing.
+const BESIDE: usize = 3;
+pub(super) const WEIGHED: usize = BY_NAME + Shape::WITHOUT_NAME.len() + 3;
 
 /// What a repair takes back.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -59,6 +62,8 @@ pub(super) enum Shape {
     NotThere,
     /// Nothing: the place that has no name is where the robot is, as in "get me the basket".
     Hither,
+    /// Nothing: the place is where a thing is, as in "park the chair with the bag".
+    Beside,
 }
 
 impl Shape {
@@ -69,7 +74,7 @@ impl Shape {
     /// Those that change it, and need no name.
     const WITHOUT_NAME: [Self; 4] = [Self::Back, Self::OtherThing, Self::RobotToo, Self::NotThere];
     /// How many take nothing of the utterance back.
-    pub const CHANGES: usize = Self::OF_LAST.len() + Self::WITHOUT_NAME.len() + 1;
+    pub const CHANGES: usize = Self::OF_LAST.len() + Self::WITHOUT_NAME.len() + 2;
 
     /// Which of them it is, from 0.
     pub const fn change(self) -> Option<usize> {
@@ -84,6 +89,7 @@ impl Shape {
             Self::RobotToo => ">",
             Self::NotThere => "!",
             Self::Hither => ".",
+            Self::Beside => ",",
             _ => BETWEEN,
         }
     }
@@ -107,10 +113,14 @@ pub(super) struct Repaired<'w> {
     pub weight: Scaled,
 }
 
+fn is_of_name(word: &Heard) -> bool {
+    word.is_name && !word.is_toward
+}
+
 /// The names of some words: runs of words that name something.
 pub(super) fn names(words: Words<'_>) -> Vec<Range<usize>, NAMES> {
     let mut names: Vec<Range<usize>, NAMES> = Vec::new();
-    for (at, _) in words.iter().enumerate().filter(|(_, word)| word.is_name && !word.is_toward) {
+    for (at, _) in words.iter().enumerate().filter(|(_, word)| is_of_name(word)) {
         match names.last_mut() {
             Some(last) if last.end == at => last.end = at.saturating_add(1),
             _ => drop(names.push(at..at.saturating_add(1))),
@@ -131,6 +141,20 @@ fn repair<'w>(words: Words<'w>, names: &[Range<usize>], first: usize, by: usize,
     };
     let between = words.part(before.end, by.start);
     (is_interregnum(between) || is_after_mark(words, before.end, by.start)).then_some(Repair { words: stands, between, shape })
+}
+
+/// The words that stand if the last name, or else the first, tells the place by a thing: those from another name on, if there is one.
+fn beside<'w>(words: Words<'w>, names: &[Range<usize>]) -> Vec<Words<'w>, 2> {
+    let mut stand = Vec::new();
+    match names {
+        [_] => drop(stand.push(words.only(|_| false))),
+        [first, .., last] if names.len() <= BESIDE => {
+            let _ = stand.push(words.part(first.start, last.start).with(words.from(last.end)));
+            let _ = stand.push(words.from(first.end));
+        }
+        _ => {}
+    }
+    stand
 }
 
 /// Whether some of the words belong to no command: "no", "I mean". "To the" are no interregnum.
@@ -179,6 +203,13 @@ impl<M: AgentMemory> Agent<M> {
             if is_possible {
                 let repair = Repair { words: named, between: words.only(|word| !word.is_name), shape };
                 let _ = best.push(self.repaired(domain, words, repair, explained, context)?);
+            }
+        }
+        for stands in beside(words, &names).into_iter().filter(|_| context.told.is_none()) {
+            let repair = Repair { words: stands, between: words.only(|word| !word.is_name), shape: Shape::Beside };
+            let repaired = self.repaired(domain, words, repair, explained, context)?;
+            if !repaired.judged.tasks.is_empty() {
+                let _ = best.push(repaired);
             }
         }
         Ok(best)
@@ -233,6 +264,14 @@ impl<M: AgentMemory> Agent<M> {
             let place = self.done(domain).iter().find_map(here);
             let ends_here = |&task: &usize| place.is_some() && self.place_of_thing(domain, task).map(|(_, place)| place) == place;
             let told = ToldTasks { tasks: (0..self.tasks().len()).filter(ends_here).collect(), is_place: true };
+            return self.explain_words(domain, stands, view, Context { told: Some(&told), ..context }, None, explained);
+        }
+        if shape == Shape::Beside {
+            let by = stands.whole().only(is_of_name).without(stands);
+            let told = self.told_by(domain, by, true, context, explained)?;
+            let is_of_thing = |task: &usize| self.place_of_thing(domain, *task).is_some();
+            let tasks = told.iter().filter(|task| is_of_thing(task) != stands.is_empty()).collect();
+            let told = ToldTasks { tasks, is_place: true };
             return self.explain_words(domain, stands, view, Context { told: Some(&told), ..context }, None, explained);
         }
         let Some(recalled) = of_last(context.earlier.before, shape) else {
@@ -302,6 +341,19 @@ mod tests {
         for_each(&rows, &|sentence, words, ((shape, first, by), parts)| {
             let repair = repair(words, &names(words), *first, *by, *shape);
             let read = repair.map_or([(); 2].map(|()| String::new()), |it| [it.words, it.between].map(|part| left(sentence, part)));
+            assert_eq!(read, *parts, "{sentence}");
+        });
+    }
+
+    #[test]
+    fn the_last_name_or_the_first_may_tell_the_place_by_a_thing() {
+        let rows = [
+            ("en", "park the yellow chair with the purple bag", std::vec!["yellow chair with the", "with the purple bag"]),
+            ("en", "wait with the purple bag", std::vec![""]),
+            ("en", "please wait", std::vec![]),
+        ];
+        for_each(&rows, &|sentence, words, parts| {
+            let read: std::vec::Vec<_> = beside(words, &names(words)).into_iter().map(|stands| left(sentence, stands)).collect();
             assert_eq!(read, *parts, "{sentence}");
         });
     }

@@ -12,6 +12,7 @@ use super::words::Words;
 use crate::memory::AgentMemory;
 use crate::oomdp::Domain;
 use crate::session::{Agent, AgentError};
+use crate::task::TaskSet;
 use crate::voice::classes::Class;
 
 /// The number of words of "to the".
@@ -122,13 +123,31 @@ impl<M: AgentMemory> Agent<M> {
     ) -> Result<Option<ToldTasks>, AgentError> {
         let Some(Apart { words: rest, by, is_place }) = apart(*words) else { return Ok(None) };
         let context = Context::of(wording);
-        self.explain_words(domain, by, View::PLAIN, context, None, explained)?;
+        let tasks = self.told_by(domain, by, is_place, context, explained)?;
+        if tasks.is_empty() {
+            self.explain_all(domain, *words, View::PLAIN, context, explained)?;
+            return Ok(None);
+        }
+        *words = rest;
+        Ok(Some(ToldTasks { tasks, is_place }))
+    }
+
+    /// The tasks whose place, or else thing, is told by the names of a thing that is there, or of the place where it is; none if no thing
+    /// here, or no place, has such names.
+    pub(super) fn told_by<D: Domain>(
+        &mut self,
+        domain: &D,
+        names: Words<'_>,
+        is_place: bool,
+        context: Context<'_>,
+        explained: &mut Explained,
+    ) -> Result<TaskSet, AgentError> {
+        self.explain_words(domain, names, View::PLAIN, Context::of(context.wording), None, explained)?;
         let is_of_thing = |task: usize| self.place_of_thing(domain, task).is_some();
         let named = if is_place { explained.own } else { explained.fitting };
         // "Beside the red room" names no thing.
-        if named.is_empty() || is_place && !named.iter().all(is_of_thing) {
-            self.explain_all(domain, *words, View::PLAIN, context, explained)?;
-            return Ok(None);
+        if is_place && !named.iter().all(is_of_thing) {
+            return Ok(TaskSet::EMPTY);
         }
         let there = named.common(self.done(domain));
         let object = |task: usize| if is_place { self.goal(domain, task) } else { self.thing(task) };
@@ -136,7 +155,6 @@ impl<M: AgentMemory> Agent<M> {
             let is_there = |other: usize| is_of_thing(other) && object(other) == object(task);
             (is_place || is_of_thing(task)) && there.iter().any(is_there)
         };
-        *words = rest;
-        Ok(Some(ToldTasks { tasks: (0..self.tasks().len()).filter(fits).collect(), is_place }))
+        Ok((0..self.tasks().len()).filter(fits).collect())
     }
 }

@@ -119,6 +119,11 @@ impl<'w> Words<'w> {
         Self { kept: self.kept & !other.kept, ..self }
     }
 
+    /// All words of the utterance.
+    pub const fn whole(self) -> Self {
+        Self { kept: u64::MAX, ..self }
+    }
+
     /// The words from one position up to another.
     pub fn part(self, begin: usize, end: usize) -> Self {
         let mut at = 0_usize;

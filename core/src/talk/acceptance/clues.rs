@@ -344,7 +344,7 @@ pub fn clue_name(clue: u16) -> [&'static str; 4] {
         "likeliest",
     ];
     const CHANGED: [&str; Shape::CHANGES] =
-        ["the place", "the thing", "all that is named", "back", "another thing", "the robot", "forbidden", "hither"];
+        ["the place", "the thing", "all that is named", "back", "another thing", "the robot", "forbidden", "hither", "beside"];
     let (reading, feature) = (usize::from(clue) / FEATURES, usize::from(clue) % FEATURES);
     let name = |names: &[&'static str], at: usize| names.get(at).copied().unwrap_or("");
     let sort_name = |sort: usize| match sort {
