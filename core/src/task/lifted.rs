@@ -331,11 +331,9 @@ impl LiftedTask {
 
     /// Refuses a way that requires or avoids the goal itself.
     fn check_way(&self) -> Result<(), TaskTextError> {
-        for (position, (part, proposition)) in self.way().enumerate() {
-            let mut others = self.way().enumerate().filter(|&(other, _)| other != position).map(|(_, other)| other);
-            let in_way = others.any(|(other, same)| same == proposition && !matches!((part, other), (Part::Before(_), Part::Before(_))));
-            let in_goal = self.propositions().contains(&proposition) && !matches!(part, Part::Before(_));
-            if (in_way || in_goal) && part == Part::Avoiding {
+        for (_, avoided) in self.way().filter(|&(part, _)| part == Part::Avoiding) {
+            // Itself, and another part.
+            if self.parts().filter(|&(_, same)| same == avoided).count() > 1 {
                 return Err(TaskTextError::AvoidsGoal);
             }
         }
