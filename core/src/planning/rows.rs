@@ -306,8 +306,7 @@ impl RowSearch {
     /// The number of words for a search of the whole floor for these tasks, `None` if rows cannot search for them.
     pub(super) fn words_needed<G: PushGrid>(grid: &G, goals: &Goals<'_>, tasks: TaskSet) -> Option<usize> {
         let search = Self::layout(grid, goals, tasks, View::WHOLE, None, usize::MAX)?;
-        let rows = search.bits.cells.checked_pow(search.pieces.count_ones())?;
-        rows.checked_mul(search.stride)?.checked_add(search.rows_at)
+        search.rows.checked_mul(search.stride)?.checked_add(search.rows_at)
     }
 
     #[inline]
