@@ -2,7 +2,7 @@
 
 use crate::homes::{LARGE, Scene, Tasks, named, size};
 use crate::language::{model, sessions, train};
-use crate::three_storeys::ThreeStoreys;
+use crate::three_storeys::{self, three_storeys};
 use goodbot::feedback::{Feedback, Strategy};
 use goodbot::home::{self, Moves};
 use goodbot::language::Settings;
@@ -48,10 +48,8 @@ pub fn all() -> Vec<Work> {
         works.push(work(format!("plan, {}, ten likely tasks", named(10, blocks)), move || plan_expecting(10, blocks)));
     }
     works.push(work("plan, three storeys with ways", || {
-        let mut scene = ThreeStoreys::new();
-        Box::new(move || {
-            black_box(scene.plan());
-        })
+        let mut scene = three_storeys();
+        repeated(move || three_storeys::plan(&mut scene).expansions())
     }));
     for (rooms, blocks) in [(3, 1), (12, 1), (3, 2)] {
         works.push(work(format!("sweep, {}", named(rooms, blocks)), move || whole_sweep(rooms, blocks)));
@@ -113,22 +111,23 @@ fn plan_of_course(name: HomeName) -> Box<dyn FnMut()> {
     })
 }
 
+/// Work whose result nobody reads.
+fn repeated<R>(mut run: impl FnMut() -> R + 'static) -> Box<dyn FnMut()> {
+    Box::new(move || drop(black_box(run())))
+}
+
 fn plan(rooms: i32, blocks: i32) -> Box<dyn FnMut()> {
     let mut scene = Scene::roomy(size(rooms, blocks), Tasks::Paper);
-    Box::new(move || {
-        std::hint::black_box(scene.plan());
-    })
+    repeated(move || scene.plan().expansions())
 }
 
 fn plan_expecting(rooms: i32, blocks: i32) -> Box<dyn FnMut()> {
     let mut scene = Scene::bounded(size(rooms, blocks));
     let ten = scene.ten();
-    Box::new(move || {
-        black_box(scene.plan_expecting(ten));
-    })
+    repeated(move || scene.plan_expecting(ten).expansions())
 }
 
 fn whole_sweep(rooms: i32, blocks: i32) -> Box<dyn FnMut()> {
     let scene = Scene::roomy(size(rooms, blocks), Tasks::Paper);
-    Box::new(move || drop(black_box(scene.sweep())))
+    repeated(move || scene.sweep())
 }

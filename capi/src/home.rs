@@ -10,7 +10,6 @@ use goodbot::capacity::BLOCKS;
 use goodbot::home::{self, Area, Cell, HomeBuilder, Moves};
 use goodbot::memory::HomeTables;
 use goodbot::oomdp::{Either, ObjectId};
-use goodbot::planning::Progress;
 use goodbot::task::LiftedTask;
 use heapless::Vec;
 
@@ -26,17 +25,30 @@ pub unsafe extern "C" fn goodbot_init_home(
     capacities: *const GoodbotCapacities,
     robot: *mut *mut Goodbot,
 ) -> GoodbotStatus {
+    let Ok(tasks) = home::paper_tasks() else { return GoodbotStatus::Other };
+    // SAFETY: the caller's promise.
+    unsafe { init(memory, bytes, capacities, &tasks, robot) }
+}
+
+/// # Safety
+/// As [`goodbot_init_home`].
+unsafe fn init(
+    memory: *mut core::ffi::c_void,
+    bytes: usize,
+    capacities: *const GoodbotCapacities,
+    tasks: &[LiftedTask],
+    robot: *mut *mut Goodbot,
+) -> GoodbotStatus {
     if robot.is_null() {
         return GoodbotStatus::Null;
     }
-    // SAFETY: the caller's promise.
-    let plot = match unsafe { plot(memory.cast(), bytes, capacities) } {
-        Ok(plot) => plot,
-        Err(status) => return status,
-    };
-    let Ok(tasks): Result<[LiftedTask; 2], _> = home::paper_tasks() else { return GoodbotStatus::Other };
-    // SAFETY: `robot` is not null.
-    unsafe { settle(plot, &tasks, &mut |home| Ok(World::Nothing(home)), robot) }.unwrap_or_else(|fault| fault.status)
+    // SAFETY: the caller's promise, and `robot` is not null.
+    unsafe {
+        match plot(memory.cast(), bytes, capacities) {
+            Ok(plot) => settle(plot, tasks, &mut |home| Ok(World::Nothing(home)), robot).unwrap_or_else(|fault| fault.status),
+            Err(status) => status,
+        }
+    }
 }
 
 /// As `goodbot_init_home`, for commands that may mean tasks of these kinds, `GOODBOT_MOST_TASKS` at most: `agentInRoom(?a, ?goal)`,
@@ -55,18 +67,11 @@ pub unsafe extern "C" fn goodbot_init_home_tasks(
     task_count: u32,
     robot: *mut *mut Goodbot,
 ) -> GoodbotStatus {
-    if robot.is_null() {
-        return GoodbotStatus::Null;
-    }
-    // SAFETY: the caller's promise, and `robot` is not null.
+    // SAFETY: the caller's promise.
     unsafe {
-        let tasks = match kinds_of_tasks(tasks, task_count, &home::SCHEMA) {
-            Ok(tasks) => tasks,
-            Err(fault) => return fault.status,
-        };
-        match plot(memory.cast(), bytes, capacities) {
-            Ok(plot) => settle(plot, &tasks, &mut |home| Ok(World::Nothing(home)), robot).unwrap_or_else(|fault| fault.status),
-            Err(status) => status,
+        match kinds_of_tasks(tasks, task_count, &home::SCHEMA) {
+            Ok(tasks) => init(memory, bytes, capacities, &tasks, robot),
+            Err(fault) => fault.status,
         }
     }
 }
@@ -165,14 +170,7 @@ pub unsafe extern "C" fn goodbot_home_agent(robot: *mut Goodbot, name: *const c_
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn goodbot_home_find_cells(robot: *mut Goodbot, budget: u32) -> GoodbotStatus {
     // SAFETY: the caller's promise.
-    unsafe {
-        with(robot, |robot| {
-            Ok(match plan(robot)?.find_cells(budget)? {
-                Progress::Working => GoodbotStatus::Working,
-                Progress::Done => GoodbotStatus::Ok,
-            })
-        })
-    }
+    unsafe { with(robot, |robot| Ok(plan(robot)?.find_cells(budget)?)) }
 }
 
 /// Checks the whole home. Actions 0 to 3 are then north, south, east and west; a block in the way is pushed. If it fails, begin the

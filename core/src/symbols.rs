@@ -6,20 +6,31 @@
 use crate::capacity::{Capacity, CapacityError, NAME_BYTES};
 use core::ops::Range;
 
-/// A text known to a [`Symbols`] table, by its position there.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct Symbol(pub(crate) u16);
+/// Identifies things by their positions in a list, which their type tells from those in others.
+macro_rules! positions {
+    ($($(#[$meta:meta])* $Id:ident($Number:ty);)*) => {$(
+        $(#[$meta])*
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        pub struct $Id(pub(crate) $Number);
 
-impl Symbol {
-    /// The text at this position.
-    pub const fn new(position: u16) -> Self {
-        Self(position)
-    }
+        impl $Id {
+            /// The one at this position.
+            pub const fn new(position: $Number) -> Self {
+                Self(position)
+            }
 
-    /// The position in the table.
-    pub const fn index(self) -> usize {
-        self.0 as usize
-    }
+            /// Its position.
+            pub const fn index(self) -> usize {
+                self.0 as usize
+            }
+        }
+    )*};
+}
+pub(crate) use positions;
+
+positions! {
+    /// A text known to a [`Symbols`] table, by its position there.
+    Symbol(u16);
 }
 
 /// Texts, each kept once, in order of their first occurrence.
@@ -176,15 +187,12 @@ impl<'t> Symbols<'t> {
     /// As [`intern`](Self::intern).
     pub(crate) fn add<const PARTS: usize>(&mut self, parts: [&[u8]; PARTS]) -> Result<Symbol, CapacityError> {
         let length = parts.iter().fold(0_usize, |sum, part| sum.saturating_add(part.len()));
-        if length > NAME_BYTES {
-            return Err(CapacityError::new(Capacity::NameBytes, NAME_BYTES, length));
-        }
+        Capacity::NameBytes.fits(length, NAME_BYTES)?;
         let start = self.read().byte_len();
         let end = start + length;
-        let most = self.bytes.len().min(usize::from(u16::MAX));
+        let (most_symbols, most) = self.read().room();
         let full = CapacityError::new(self.byte_capacity, most, end);
         let end_entry = u16::try_from(end).map_err(|_| full)?;
-        let most_symbols = self.ends.len().min(usize::from(u16::MAX) - 1);
         if *self.len >= most_symbols {
             return Err(CapacityError::full(self.count_capacity, most_symbols));
         }
@@ -223,6 +231,15 @@ impl<'t> Symbols<'t> {
     pub fn truncate(&mut self, len: usize) {
         *self.len = (*self.len).min(len);
     }
+}
+
+/// As many of the items as a list has room for. `collect` could panic, for all that the compiler knows.
+pub(crate) fn listed<T, const MOST: usize>(items: impl Iterator<Item = T>) -> heapless::Vec<T, MOST> {
+    let mut list = heapless::Vec::new();
+    for item in items.take(MOST) {
+        let _ = list.push(item);
+    }
+    list
 }
 
 /// Moves the entries after the first `gap` to the front. The standard rotation can panic, and would bring panic messages into a

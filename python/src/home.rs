@@ -94,11 +94,18 @@ const fn moves(pull: bool) -> Moves {
 }
 
 /// The tasks of these kinds in a state.
-pub fn tasks(rooms: &Rooms, lifted: &[LiftedTask], state: &HomeState) -> Result<Vec<GroundedTask>, CapacityError> {
+pub fn tasks<D: Domain>(domain: &D, lifted: &[LiftedTask], state: &D::State) -> Result<Vec<GroundedTask>, CapacityError> {
     let mut tasks = vec![GroundedTask::UNUSED; Capacities::STANDARD.tasks];
-    let count = ground(rooms, lifted, state, &mut tasks)?;
+    let count = ground(domain, lifted, state, &mut tasks)?;
     tasks.truncate(count);
     Ok(tasks)
+}
+
+/// The names of the tasks of these kinds in a state.
+pub fn names_of_tasks<D: Domain>(py: Python<'_>, domain: &D, lifted: &[LiftedTask], state: &D::State) -> PyResult<Vec<String>> {
+    let tasks = tasks(domain, lifted, state).map_err(|error| full(py, error))?;
+    let name = |task: &GroundedTask| Some(task_name(domain, lifted.get(usize::from(task.lifted))?, task));
+    Ok(tasks.iter().filter_map(name).collect())
 }
 
 /// The name of the task that an exercise means.
@@ -375,9 +382,7 @@ impl Home {
     fn tasks(&self, py: Python<'_>, state: Option<&Bound<'_, PyAny>>, kinds: Option<Items<String>>) -> PyResult<Vec<String>> {
         let at = state.map_or(Ok(self.start), |state| self.check(state))?;
         let lifted = crate::options::kinds_of_tasks(py, kinds.map(|kinds| kinds.0), &SCHEMA)?.lifted;
-        let tasks = tasks(&self.rooms, &lifted, &at).map_err(|error| full(py, error))?;
-        let name = |task: &GroundedTask| Some(task_name(&self.rooms, lifted.get(usize::from(task.lifted))?, task));
-        Ok(tasks.iter().filter_map(name).collect())
+        names_of_tasks(py, &self.rooms, &lifted, &at)
     }
 
     fn __repr__(&self) -> String {

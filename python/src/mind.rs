@@ -3,7 +3,7 @@
 use crate::error::{self, SessionError, value};
 use crate::home as home_of;
 use crate::options::{Kinds, Random, task_name};
-use crate::place::{Place, in_place};
+use crate::place::{Place, in_place, in_place_and_on};
 use crate::robot::Robot;
 use crate::world::World;
 use goodbot::feedback::Strategy;
@@ -255,20 +255,8 @@ impl Mind {
     }
 
     pub fn acted(&mut self, py: Python<'_>, place: &Place, action: Action) -> PyResult<Place> {
-        match place {
-            Place::Home(home, state) => {
-                let next = self.core.acted(&home.get().rooms, state, action).map_err(|refused| error::agent(py, refused))?;
-                Ok(Place::Home(home.clone_ref(py), next))
-            }
-            Place::Robot(robot, state) => {
-                let next = robot.lend(|domain| self.core.acted(domain, state, action));
-                Ok(Place::Robot(robot.clone(), self.settled(py, place, next)?))
-            }
-            Place::World(tables, state) => {
-                let next = tables.lend(|domain| self.core.acted(domain, state, action));
-                Ok(Place::World(tables.clone(), self.settled(py, place, next)?))
-            }
-        }
+        let next = in_place_and_on!(py, place, |domain, state, on| self.core.acted(domain, state, action).map(on));
+        self.settled(py, place, next)
     }
 
     pub fn set_strategies(&mut self, py: Python<'_>, strategies: &[(Strategy, f32)]) -> PyResult<()> {

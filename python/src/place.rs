@@ -33,6 +33,27 @@ macro_rules! in_place {
 }
 pub(crate) use in_place;
 
+/// As [`in_place`], also with the function from another state to the same place in that state.
+macro_rules! in_place_and_on {
+    ($py:expr, $place:expr, |$domain:ident, $state:ident, $on:ident| $run:expr) => {
+        match $place {
+            $crate::place::Place::Home(home, $state) => {
+                let ($domain, $on) = (&home.get().rooms, |state| $crate::place::Place::Home(home.clone_ref($py), state));
+                $run
+            }
+            $crate::place::Place::Robot(robot, $state) => {
+                let $on = |state| $crate::place::Place::Robot(robot.clone(), state);
+                robot.lend(|$domain| $run)
+            }
+            $crate::place::Place::World(tables, $state) => {
+                let $on = |state| $crate::place::Place::World(tables.clone(), state);
+                tables.lend(|$domain| $run)
+            }
+        }
+    };
+}
+pub(crate) use in_place_and_on;
+
 impl Place {
     /// The place that Python names. `last` keeps the last robot, so that it need not be read again.
     pub fn of(domain: &Bound<'_, PyAny>, state: &Bound<'_, PyAny>, last: &mut Option<Arc<Robot>>) -> PyResult<Self> {

@@ -5,7 +5,7 @@ use crate::error::{self, value};
 use crate::log::{Session, header, header_in_world};
 use crate::mind::{Mind, Part};
 use crate::options::{Drawn, Random};
-use crate::place::Place;
+use crate::place::{Place, in_place_and_on};
 use goodbot::feedback::Strategy;
 use goodbot::oomdp::Domain;
 use goodbot::task::TaskSet;
@@ -194,20 +194,8 @@ impl Trainer {
         if meant.is_empty() {
             return Err(value("no task is meant; name one, or several of which each will do"));
         }
-        let (report, end, steps) = match place {
-            Place::Home(home, start) => {
-                let here = |state| Place::Home(home.clone_ref(py), state);
-                self.walk(py, mind, &home.get().rooms, start, meant, &mut random, here)?
-            }
-            Place::Robot(robot, start) => {
-                let here = |state| Place::Robot(robot.clone(), state);
-                robot.lend(|domain| self.walk(py, mind, domain, start, meant, &mut random, here))?
-            }
-            Place::World(tables, start) => {
-                let here = |state| Place::World(tables.clone(), state);
-                tables.lend(|domain| self.walk(py, mind, domain, start, meant, &mut random, here))?
-            }
-        };
+        let walked = in_place_and_on!(py, place, |domain, start, on| self.walk(py, mind, domain, start, meant, &mut random, on));
+        let (report, end, steps) = walked?;
         let intended = one.map(|task| task.parse::<GroundTaskText>()).transpose().map_err(value)?;
         let steps = steps.iter().map(|step| recorded(place, step)).collect();
         let session = |mut header: SessionHeader| {

@@ -1,10 +1,9 @@
 //! A world with a robot of any kind, from a file or a dict.
 
 use crate::error::{file as unread, format as misformed, in_file, misformed as misformed_at, value};
-use crate::options::{Items, action_of, task_name};
-use goodbot::Capacities;
+use crate::home::names_of_tasks;
+use crate::options::{Items, action_of};
 use goodbot::oomdp::{Domain, apply};
-use goodbot::task::{GroundedTask, ground};
 use goodbot_formats::task_text::{GroundAtomText, GroundTaskText};
 use goodbot_formats::world::WorldFile;
 use goodbot_lesson::world::pddl;
@@ -210,10 +209,7 @@ impl World {
         let state = self.checked(state)?;
         self.0.lend(|robot| {
             let lifted = robot::tasks(self.0.file(), robot).map_err(value)?;
-            let mut tasks = vec![GroundedTask::UNUSED; Capacities::STANDARD.tasks];
-            let count = ground(robot, &lifted, &state, &mut tasks).map_err(|error| crate::error::full(py, error))?;
-            let name = |task: &GroundedTask| Some(task_name(robot, lifted.get(usize::from(task.lifted))?, task));
-            Ok(tasks.iter().take(count).filter_map(name).collect())
+            names_of_tasks(py, robot, &lifted, &state)
         })
     }
 

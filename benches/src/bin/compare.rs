@@ -2,7 +2,6 @@
 //!
 //! The environment variable `GOODBOT_PEERS_PYTHON` names a Python that has NLTK; without it that comparison is left out.
 
-use std::hint::black_box;
 use std::io::Write;
 use std::ops::Range;
 use std::process::{Command, ExitCode, Stdio};
@@ -61,17 +60,15 @@ fn against_dijkstra(seeds: Range<u64>) -> Result<(), String> {
         dead += ours.iter().filter(|distance| distance.is_none()).count();
         let (mut slow, mut guided, mut fast) = (Vec::new(), Vec::new(), Vec::new());
         for _ in 0..ROUNDS {
-            fast.push(time(&mut || {
-                std::hint::black_box(scene.plan());
-            }));
-            slow.push(time(&mut || drop(black_box(one_dijkstra_a_task(&scene)))));
-            guided.push(time(&mut || drop(black_box(one_a_star_a_task(&scene)))));
+            fast.push(time(|| scene.plan().expansions()));
+            slow.push(time(|| one_dijkstra_a_task(&scene)));
+            guided.push(time(|| one_a_star_a_task(&scene)));
         }
         own += median(fast);
         by_a_star += median(guided);
         let slow = median(slow);
         theirs += slow;
-        own_sweeps += median((0..3).map(|_| time(&mut || drop(black_box(scene.sweep())))).collect());
+        own_sweeps += median((0..3).map(|_| time(|| scene.sweep())).collect());
         theirs_everywhere += slow * u32::try_from(scene.sweep().states()).unwrap_or(u32::MAX);
     }
     println!(
@@ -86,21 +83,14 @@ fn against_dijkstra(seeds: Range<u64>) -> Result<(), String> {
 fn many_tasks() -> Result<(), String> {
     let mut many = Scene::roomy(size(12, 1), Tasks::Count(64));
     let mut few = Scene::roomy(size(12, 1), Tasks::Count(8));
-    let times = in_turn(
-        &mut || {
-            std::hint::black_box(many.plan());
-        },
-        &mut || {
-            std::hint::black_box(few.plan());
-        },
-    );
+    let times = in_turn(|| many.plan().expansions(), || few.plan().expansions());
     println!("{} expansions, {} and {} tasks", many.plan().expansions(), many.tasks.len(), few.tasks.len());
     show("64 tasks / 8 tasks", times, None, Some(1.5))
 }
 
 /// The whole course: planning, inference and learning.
 fn the_course() -> Result<(), String> {
-    let course = median((0..ROUNDS).map(|_| time(&mut works::course)).collect());
+    let course = median((0..ROUNDS).map(|_| time(works::course)).collect());
     show("50 ms / the course of seven lessons and five tests", (Duration::from_millis(50), course), Some(1.0), None)
 }
 
@@ -129,7 +119,7 @@ fn against_nltk() -> Result<(), String> {
     let memory = HeapMemory::new(&Capacities::STANDARD);
     let settings = Settings { smoothing: 0.0, ..Settings::PAPER };
     let mut model = model(memory.agent, &data, settings, 1.0);
-    let times: Vec<Duration> = (0..ROUNDS).map(|_| time(&mut || train(&mut model))).collect();
+    let times: Vec<Duration> = (0..ROUNDS).map(|_| time(|| train(&mut model))).collect();
     let rows = |table: &str| reply[table].as_array().cloned().unwrap_or_default();
     let (mut cells, mut largest) = (0, 0.0_f64);
     let mut compare = |ours: f32, theirs: &Value| {

@@ -30,46 +30,36 @@ fn main() -> ExitCode {
     }
 }
 
-fn milliseconds(work: &mut dyn FnMut()) -> f64 {
-    median((0..ROUNDS).map(|_| time(work)).collect()).as_secs_f64() * 1e3
+fn milliseconds<R>(mut work: impl FnMut() -> R) -> f64 {
+    median((0..ROUNDS).map(|_| time(&mut work)).collect()).as_secs_f64() * 1e3
+}
+
+/// The cost of a search and of a sweep in each scene, which comes with its place on the axis, its label and what to print of it.
+fn searches_and_sweeps(scenes: impl Iterator<Item = (Scene, f64, String, String)>) -> (Points, Points) {
+    let (mut searches, mut sweeps) = (Vec::new(), Vec::new());
+    for (mut scene, across, label, name) in scenes {
+        searches.push((across, milliseconds(|| scene.plan().expansions()), label));
+        sweeps.push((across, milliseconds(|| scene.sweep()), String::new()));
+        eprintln!("{name}: search {}, sweep {}", cost(&searches), cost(&sweeps));
+    }
+    (searches, sweeps)
 }
 
 /// The cost of a search and of a sweep, by the number of states.
 fn by_states() -> (Points, Points) {
-    let (mut searches, mut sweeps) = (Vec::new(), Vec::new());
-    for (rooms, blocks) in [(3, 1), (6, 1), (12, 1), (3, 2), (6, 2), (3, 3)] {
-        let mut scene = Scene::roomy(size(rooms, blocks), Tasks::Paper);
-        let states = scene.home.state_count() as f64;
-        let home = named(rooms, blocks);
-        searches.push((
-            states,
-            milliseconds(&mut || {
-                std::hint::black_box(scene.plan());
-            }),
-            home.clone(),
-        ));
-        sweeps.push((states, milliseconds(&mut || drop(std::hint::black_box(scene.sweep()))), String::new()));
-        eprintln!("{home}: {states} states, search {}, sweep {}", cost(&searches), cost(&sweeps));
-    }
-    (searches, sweeps)
+    searches_and_sweeps([(3, 1), (6, 1), (12, 1), (3, 2), (6, 2), (3, 3)].into_iter().map(|(rooms, blocks)| {
+        let scene = Scene::roomy(size(rooms, blocks), Tasks::Paper);
+        let (states, home) = (scene.home.state_count() as f64, named(rooms, blocks));
+        (scene, states, home.clone(), format!("{home}, {states} states"))
+    }))
 }
 
 /// The same for one home, by the number of tasks.
 fn by_tasks() -> (Points, Points) {
-    let (mut searches, mut sweeps) = (Vec::new(), Vec::new());
-    for count in [1, 2, 4, 8, 16, 32, 64, 128, 256] {
-        let mut scene = Scene::roomy(size(12, 1), Tasks::Count(count));
-        searches.push((
-            count as f64,
-            milliseconds(&mut || {
-                std::hint::black_box(scene.plan());
-            }),
-            String::new(),
-        ));
-        sweeps.push((count as f64, milliseconds(&mut || drop(std::hint::black_box(scene.sweep()))), String::new()));
-        eprintln!("{count} tasks: search {}, sweep {}", cost(&searches), cost(&sweeps));
-    }
-    (searches, sweeps)
+    searches_and_sweeps([1, 2, 4, 8, 16, 32, 64, 128, 256].into_iter().map(|count| {
+        let scene = Scene::roomy(size(12, 1), Tasks::Count(count));
+        (scene, count as f64, String::new(), format!("{count} tasks"))
+    }))
 }
 
 /// The cost of plans in homes of these rooms and blocks, by one of the two numbers: with all tasks equally likely, and with ten likely ones.
@@ -78,9 +68,7 @@ fn by_size(homes: &[(i32, i32)], axis: fn(&(i32, i32)) -> i32) -> (Points, Point
     for home @ &(rooms, blocks) in homes {
         let mut scene = Scene::bounded(size(rooms, blocks));
         for (points, likely) in [(&mut alike, scene.planner.all()), (&mut likely, scene.ten())] {
-            let time = milliseconds(&mut || {
-                std::hint::black_box(scene.plan_expecting(likely));
-            });
+            let time = milliseconds(|| scene.plan_expecting(likely).expansions());
             points.push((f64::from(axis(home)), time, String::new()));
         }
         let tasks = scene.tasks.len();

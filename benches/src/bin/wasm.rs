@@ -21,7 +21,7 @@ fn main() -> ExitCode {
             continue;
         }
         let times = (0.02 / once.max(1e-9)).clamp(1.0, 1e6) as u32;
-        let quickest = (0..ROUNDS).map(|_| time(&mut || (0..times).for_each(|_| run())) / times).min();
+        let quickest = (0..ROUNDS).map(|_| time(|| (0..times).for_each(|_| run())) / times).min();
         let native = quickest.unwrap_or_default().as_secs_f64() * 1e3;
         match in_node(&module, position) {
             Ok(wasm) => println!("| {} | {native:.4} ms | {wasm:.4} ms | {:.2} |", work.name, wasm / native),

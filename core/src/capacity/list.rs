@@ -118,20 +118,6 @@ macro_rules! capacities {
             }
         }
 
-        constants! {
-            $([$(#[doc = $doc])*] $Variant "Capacities" $field;)*
-        }
-
-        impl Capacity {
-            /// The fields of [`Capacities`], in order: the number of each is its position here.
-            pub const ALL: [Self; [$(stringify!($field)),*].len()] = [$(Self::$Variant,)*];
-        }
-    };
-}
-
-/// The enum: the fields, then the limits that are constants.
-macro_rules! constants {
-    ($([$(#[doc = $doc:literal])*] $Variant:ident $of:literal $field:ident;)*) => {
         /// A capacity that was exceeded: a field of [`Capacities`], or a constant of [`capacity`](crate::capacity).
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
         #[non_exhaustive]
@@ -161,10 +147,13 @@ macro_rules! constants {
         }
 
         impl Capacity {
+            /// The fields of [`Capacities`], in order: the number of each is its position here.
+            pub const ALL: [Self; [$(stringify!($field)),*].len()] = [$(Self::$Variant,)*];
+
             /// The field of [`Capacities`], or the constant, to raise.
             pub const fn field(self) -> &'static str {
                 match self {
-                    $(Self::$Variant => concat!($of, "::", stringify!($field)),)*
+                    $(Self::$Variant => concat!("Capacities::", stringify!($field)),)*
                     Self::WordsPerCommand => "capacity::WORDS_PER_COMMAND",
                     Self::TokensPerCommand => "capacity::TOKENS_PER_COMMAND",
                     Self::NameBytes => "capacity::NAME_BYTES",
@@ -278,7 +267,7 @@ impl Capacities {
     pub fn fits_in(&self, rooms: &Self) -> Result<(), CapacityError> {
         Capacity::ALL.iter().try_for_each(|&capacity| {
             let (limit, given) = (rooms.get(capacity), self.get(capacity));
-            if given > limit { Err(CapacityError::new(capacity, limit, given)) } else { Ok(()) }
+            capacity.fits(given, limit)
         })
     }
 
@@ -321,6 +310,12 @@ impl Capacities {
 }
 
 impl Capacity {
+    /// Refuses more entries than a limit.
+    #[inline(always)]
+    pub(crate) const fn fits(self, given: usize, limit: usize) -> Result<(), CapacityError> {
+        if given > limit { Err(CapacityError::new(self, limit, given)) } else { Ok(()) }
+    }
+
     /// The name of the field or constant, without its path.
     ///
     /// ```

@@ -148,9 +148,7 @@ impl<'t> Belief<'t> {
     /// A [`BeliefError`]; the belief is then unchanged.
     pub fn set_strategies(&mut self, strategies: &[(Strategy, f32)]) -> Result<(), BeliefError> {
         let limit = self.read().most_strategies();
-        if strategies.len() > limit {
-            return Err(CapacityError::new(Capacity::Strategies, limit, strategies.len()).into());
-        }
+        Capacity::Strategies.fits(strategies.len(), limit)?;
         let mut sum = 0.0;
         for (position, &(_, prior)) in strategies.iter().enumerate() {
             if !(0.0..=1.0).contains(&prior) {
@@ -206,12 +204,8 @@ impl<'t> Belief<'t> {
         let count = priors.len();
         let wanted = count.saturating_mul(self.count.strategies);
         let limit = self.memory.joint.len().min(self.memory.settled.len());
-        if wanted > limit {
-            return Err(CapacityError::new(Capacity::Beliefs, limit, wanted));
-        }
-        if count > self.memory.priors.len() {
-            return Err(CapacityError::new(Capacity::Tasks, self.memory.priors.len(), count));
-        }
+        Capacity::Beliefs.fits(wanted, limit)?;
+        Capacity::Tasks.fits(count, self.memory.priors.len())?;
         for (slot, prior) in self.memory.priors.iter_mut().zip(priors) {
             *slot = prior;
         }

@@ -304,17 +304,10 @@ impl<'t> Bitext<'t> {
     /// # Errors
     /// A [`CapacityError`]; nothing is added then.
     pub fn add_session(&mut self, words: &[Symbol]) -> Result<(), CapacityError> {
-        if words.len() > WORDS_PER_COMMAND {
-            return Err(CapacityError::new(Capacity::WordsPerCommand, WORDS_PER_COMMAND, words.len()));
-        }
-        let start = self.used.sentence_words;
-        let limit = self.memory.sessions.len().min(usize::from(u16::MAX));
-        let Some(entry) = self.memory.sessions.get_mut(self.used.sessions).filter(|_| self.used.sessions < limit) else {
-            return Err(CapacityError::full(Capacity::Sessions, limit));
-        };
-        *entry = put(self.memory.sentence_words, start, words, Capacity::SentenceWords)?;
-        self.used.sentence_words = start.saturating_add(words.len());
-        self.used.sessions = self.used.sessions.saturating_add(1);
+        Capacity::WordsPerCommand.fits(words.len(), WORDS_PER_COMMAND)?;
+        let (spans, pool) = (&mut *self.memory.sessions, &mut *self.memory.sentence_words);
+        let capacities = [Capacity::Sessions, Capacity::SentenceWords];
+        add_span(spans, &mut self.used.sessions, pool, &mut self.used.sentence_words, words, capacities)?;
         self.count_change();
         Ok(())
     }
@@ -409,9 +402,7 @@ impl<'t> Bitext<'t> {
     }
 
     fn intern_command(&mut self, tokens: &[Symbol]) -> Result<u16, CapacityError> {
-        if tokens.len() > TOKENS_PER_COMMAND {
-            return Err(CapacityError::new(Capacity::TokensPerCommand, TOKENS_PER_COMMAND, tokens.len()));
-        }
+        Capacity::TokensPerCommand.fits(tokens.len(), TOKENS_PER_COMMAND)?;
         let data = self.read();
         // Most sessions have their machine commands in the order of the last one.
         let commands = data.commands() as u16;
@@ -424,15 +415,9 @@ impl<'t> Bitext<'t> {
 
     /// Adds a machine command. Returns its position.
     pub(crate) fn add_command(&mut self, tokens: &[Symbol]) -> Result<u16, CapacityError> {
-        let limit = self.memory.commands.len().min(usize::from(u16::MAX));
-        let Some(entry) = self.memory.commands.get_mut(self.used.commands).filter(|_| self.used.commands < limit) else {
-            return Err(CapacityError::full(Capacity::Commands, limit));
-        };
-        *entry = put(self.memory.command_tokens, self.used.command_tokens, tokens, Capacity::CommandTokens)?;
-        self.used.command_tokens = self.used.command_tokens.saturating_add(tokens.len());
-        let command = self.used.commands as u16;
-        self.used.commands = self.used.commands.saturating_add(1);
-        Ok(command)
+        let (spans, pool) = (&mut *self.memory.commands, &mut *self.memory.command_tokens);
+        let capacities = [Capacity::Commands, Capacity::CommandTokens];
+        add_span(spans, &mut self.used.commands, pool, &mut self.used.command_tokens, tokens, capacities)
     }
 }
 
@@ -465,11 +450,23 @@ pub(super) fn close_up(symbol: &mut Symbol, removed: Symbol) {
     }
 }
 
-fn put(pool: &mut [Symbol], start: usize, symbols: &[Symbol], capacity: Capacity) -> Result<Span, CapacityError> {
+/// Adds a span to a table, and its symbols to their pool. Returns its position.
+fn add_span(
+    spans: &mut [Span],
+    used: &mut usize,
+    pool: &mut [Symbol],
+    pool_used: &mut usize,
+    symbols: &[Symbol],
+    [of_spans, of_pool]: [Capacity; 2],
+) -> Result<u16, CapacityError> {
+    let (position, limit, start) = (*used, spans.len().min(usize::from(u16::MAX)), *pool_used);
+    let entry = spans.get_mut(position).filter(|_| position < limit).ok_or(CapacityError::full(of_spans, limit))?;
     let end = start.saturating_add(symbols.len());
-    let full = CapacityError::new(capacity, pool.len().min(MOST_POOL), end);
+    let full = CapacityError::new(of_pool, pool.len().min(MOST_POOL), end);
     pool.get_mut(start..end).filter(|_| end <= MOST_POOL).ok_or(full)?.iter_mut().zip(symbols).for_each(|(slot, &symbol)| *slot = symbol);
-    Ok(Span::new(start, symbols.len().min(Span::LENGTH as usize)))
+    *entry = Span::new(start, symbols.len().min(Span::LENGTH as usize));
+    (*used, *pool_used) = (position.saturating_add(1), end);
+    Ok(position as u16)
 }
 
 #[cfg(test)]

@@ -26,9 +26,7 @@ use crate::symbols::{Symbol, Symbols, SymbolsRef};
 #[derive(Clone, Debug)]
 pub(crate) struct LanguageState {
     settings: Settings,
-    words: usize,
-    tokens: usize,
-    data: Extent,
+    used: Used,
     trained: Trained,
     training: Training,
     learned_words: usize,
@@ -37,21 +35,21 @@ pub(crate) struct LanguageState {
     unheard: Unheard,
 }
 
-/// The extent of data in the tables that are not learned yet.
+/// The extent of the data in the tables: words, machine tokens and training data.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Unlearned {
+pub(crate) struct Used {
     words: usize,
     tokens: usize,
     data: Extent,
 }
 
-impl Unlearned {
+impl Used {
     /// No data.
     pub(crate) const NONE: Self = Self { words: 0, tokens: 0, data: Extent::NONE };
 
     /// No data, in the tables of an empty model.
     pub(crate) const fn after(language: &LanguageState) -> Self {
-        Self { words: 0, tokens: 0, data: language.data }
+        Self { data: language.used.data, ..Self::NONE }
     }
 }
 
@@ -60,9 +58,7 @@ impl LanguageState {
     pub(crate) const fn new(settings: Settings) -> Self {
         Self {
             settings,
-            words: 0,
-            tokens: 0,
-            data: Extent::NONE,
+            used: Used::NONE,
             trained: Trained::NONE,
             training: Training::DONE,
             learned_words: 0,
@@ -77,10 +73,8 @@ impl LanguageState {
     }
 
     /// Exchanges the extents of used data. Data written into the tables meanwhile do not count as learned.
-    pub(crate) const fn exchange(&mut self, used: &mut Unlearned) {
-        core::mem::swap(&mut self.words, &mut used.words);
-        core::mem::swap(&mut self.tokens, &mut used.tokens);
-        core::mem::swap(&mut self.data, &mut used.data);
+    pub(crate) const fn exchange(&mut self, used: &mut Used) {
+        core::mem::swap(&mut self.used, used);
     }
 
     /// The model in its tables; `counts` is memory for the expected counts.
@@ -88,9 +82,9 @@ impl LanguageState {
     pub(crate) fn with<'t>(&'t mut self, tables: LanguageTables<'t>, counts: &'t mut [u64]) -> LanguageMut<'t> {
         LanguageMut {
             settings: &mut self.settings,
-            words: Symbols::new(tables.word_bytes, tables.word_ends, &mut self.words, Capacity::Words, Capacity::WordBytes),
-            tokens: Symbols::new(tables.token_bytes, tables.token_ends, &mut self.tokens, Capacity::Tokens, Capacity::TokenBytes),
-            bitext: Bitext::new(tables.bitext, &mut self.data),
+            words: Symbols::new(tables.word_bytes, tables.word_ends, &mut self.used.words, Capacity::Words, Capacity::WordBytes),
+            tokens: Symbols::new(tables.token_bytes, tables.token_ends, &mut self.used.tokens, Capacity::Tokens, Capacity::TokenBytes),
+            bitext: Bitext::new(tables.bitext, &mut self.used.data),
             layer: Above::new(tables.layer),
             tables: Tables::new(tables.parameters, counts, &mut self.trained),
             training: &mut self.training,
@@ -110,9 +104,9 @@ impl LanguageState {
     pub(crate) fn read<'t>(&'t self, tables: LanguageTablesRef<'t>, counts: usize) -> LanguageRef<'t> {
         LanguageRef {
             settings: &self.settings,
-            words: SymbolsRef::new(tables.word_bytes, tables.word_ends, self.words),
-            tokens: SymbolsRef::new(tables.token_bytes, tables.token_ends, self.tokens),
-            bitext: BitextRef::new(tables.bitext, self.data),
+            words: SymbolsRef::new(tables.word_bytes, tables.word_ends, self.used.words),
+            tokens: SymbolsRef::new(tables.token_bytes, tables.token_ends, self.used.tokens),
+            bitext: BitextRef::new(tables.bitext, self.used.data),
             layer: AboveRef::new(tables.layer),
             tables: TablesRef::new(tables.parameters, counts, &self.trained),
             training: self.training,
@@ -308,12 +302,12 @@ impl<'t> LanguageRef<'t> {
 #[doc(hidden)]
 pub struct LanguageMut<'t> {
     settings: &'t mut Settings,
-    pub(super) words: Symbols<'t>,
+    pub(crate) words: Symbols<'t>,
     pub(super) tokens: Symbols<'t>,
-    pub(super) bitext: Bitext<'t>,
+    pub(crate) bitext: Bitext<'t>,
     pub(super) layer: Above<'t>,
     pub(super) tables: Tables<'t>,
-    training: &'t mut Training,
+    pub(crate) training: &'t mut Training,
     learned_words: &'t mut usize,
     learned_tokens: &'t mut usize,
     pub(super) unheard: &'t mut Unheard,
@@ -515,14 +509,6 @@ impl<'t> LanguageMut<'t> {
         self.unheard.note(bytes);
     }
 
-    pub(crate) fn words_mut(&mut self) -> &mut Symbols<'t> {
-        &mut self.words
-    }
-
-    pub(crate) fn bitext_mut(&mut self) -> &mut Bitext<'t> {
-        &mut self.bitext
-    }
-
     /// Adapts to new training data: all their words and tokens count as learned, and there is a table for each of their pairs of lengths. A
     /// training must follow.
     ///
@@ -606,16 +592,6 @@ impl<'t> LanguageMut<'t> {
     #[inline]
     pub(crate) const fn model(&self) -> Model {
         self.settings.model.in_use()
-    }
-
-    /// Begins to explain a command if this task is meant, unless it is explained already.
-    pub(crate) fn begin_explaining(&mut self, task: usize) {
-        self.training.begin_explaining(task);
-    }
-
-    /// What was explained is of another command.
-    pub(crate) fn forget_explained(&mut self) {
-        self.training.forget_explained();
     }
 
     /// Continues to read a command for [`explain_word`](Self::explain_word), if `description` is meant, with at most about `budget` table

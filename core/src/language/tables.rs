@@ -98,7 +98,7 @@ impl<'t> Tables<'t> {
     pub(super) fn fits_rows(&self, tokens: usize, words: usize) -> Result<(), CapacityError> {
         let cells = tokens.saturating_add(1).saturating_mul(words);
         let room = self.memory.translations.len();
-        if cells > room { Err(CapacityError::new(Capacity::Translations, room, cells)) } else { Ok(()) }
+        Capacity::Translations.fits(cells, room)
     }
 
     /// Takes over the role model's parameters from another robot: the cells of both tables, one after the other.

@@ -34,9 +34,7 @@ pub fn for_each_word(command: &str, mut take: impl FnMut(&str) -> Result<(), Cap
     let pieces = || split(command).map(|word| word.trim_matches(|letter| is_apostrophe(letter) || !is_of_word(letter)));
     let words = || pieces().filter(|word| word.chars().any(is_alphanumeric));
     let count = words().count();
-    if count > WORDS_PER_COMMAND {
-        return Err(CapacityError::new(Capacity::WordsPerCommand, WORDS_PER_COMMAND, count));
-    }
+    Capacity::WordsPerCommand.fits(count, WORDS_PER_COMMAND)?;
     words().try_for_each(|word| take(&lower_case(word)?))
 }
 
@@ -65,9 +63,7 @@ fn give_pieces(command: &str, take: &mut dyn FnMut(&str) -> Result<(), CapacityE
     // A command has no more words than bytes. Counting those of a short one would take a controller a tenth of a call.
     if command.len() > WORDS_PER_COMMAND {
         let count = pieces(command).count();
-        if count > WORDS_PER_COMMAND {
-            return Err(CapacityError::new(Capacity::WordsPerCommand, WORDS_PER_COMMAND, count));
-        }
+        Capacity::WordsPerCommand.fits(count, WORDS_PER_COMMAND)?;
     }
     pieces(command).try_for_each(|word| take(&composed_word(word)?))
 }

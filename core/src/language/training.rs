@@ -73,7 +73,7 @@ impl Training {
     }
 
     /// Begins to explain a command if this task is meant, unless it is explained already.
-    pub(super) fn begin_explaining(&mut self, task: usize) {
+    pub(crate) fn begin_explaining(&mut self, task: usize) {
         if !matches!(self.phase, Phase::Explaining(of, _) if of == task) {
             self.phase = Phase::Explaining(task, Explained::START);
         }
@@ -85,7 +85,7 @@ impl Training {
     }
 
     /// Other work takes the memory of what was explained.
-    pub(super) fn forget_explained(&mut self) {
+    pub(crate) fn forget_explained(&mut self) {
         if self.is_done() {
             self.phase = Phase::Done;
         }

@@ -4,10 +4,12 @@
 use super::ObjectId;
 use super::objects::for_each_word;
 use super::{ActionSet, GroundProposition, Objects, PushGrid, Schema, SearchKind, StateKey};
+use crate::symbols::positions;
 
-/// An action, by its position in [`Domain::actions`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct Action(pub(crate) u8);
+positions! {
+    /// An action, by its position in [`Domain::actions`].
+    Action(u8);
+}
 
 impl Action {
     /// Doing nothing: an action of every domain, not listed among its own.
@@ -16,16 +18,6 @@ impl Action {
     pub const MOST: usize = ActionSet::MOST - 1;
     /// The most actions that a domain can have without the feature `alloc`, as on controllers.
     pub const MOST_ON_CONTROLLERS: usize = 15;
-
-    /// The action at this position.
-    pub const fn new(position: u8) -> Self {
-        Self(position)
-    }
-
-    /// The action's position among those of its domain.
-    pub const fn index(self) -> usize {
-        self.0 as usize
-    }
 }
 
 /// An action of a domain: its name in logs and its cost, 1 to [`MOST_COST`].

@@ -35,22 +35,33 @@ impl<F, O> Either<F, O> {
     }
 }
 
+/// What a domain of either kind does by itself, or in a state of its own kind.
+macro_rules! either {
+    ($either:expr, $domain:ident => $run:expr) => {
+        match $either {
+            Either::Floor($domain) => $run,
+            Either::Other($domain) => $run,
+        }
+    };
+    ($either:expr, $state:ident, $domain:ident => $run:expr, else $otherwise:expr) => {
+        match ($either, $state) {
+            (Either::Floor($domain), Either::Floor($state)) => $run,
+            (Either::Other($domain), Either::Other($state)) => $run,
+            _ => $otherwise,
+        }
+    };
+}
+
 impl<F: PushGrid, O: Domain> Domain for Either<F, O> {
     type State = Either<F::State, O::State>;
     type Search = BitRows;
 
     fn world(&self) -> World<'_> {
-        match self {
-            Self::Floor(floor) => floor.world(),
-            Self::Other(other) => other.world(),
-        }
+        either!(self, domain => domain.world())
     }
 
     fn actions(&self) -> &[ActionKind<'_>] {
-        match self {
-            Self::Floor(floor) => floor.actions(),
-            Self::Other(other) => other.actions(),
-        }
+        either!(self, domain => domain.actions())
     }
 
     fn step(&self, state: &Self::State, action: Action) -> Option<Self::State> {
@@ -62,27 +73,16 @@ impl<F: PushGrid, O: Domain> Domain for Either<F, O> {
     }
 
     fn holds(&self, proposition: &GroundProposition, state: &Self::State) -> bool {
-        match (self, state) {
-            (Self::Floor(floor), Either::Floor(state)) => floor.holds(proposition, state),
-            (Self::Other(other), Either::Other(state)) => other.holds(proposition, state),
-            _ => false,
-        }
+        either!(self, state, domain => domain.holds(proposition, state), else false)
     }
 
     fn state_count(&self) -> u64 {
-        match self {
-            Self::Floor(floor) => floor.state_count(),
-            Self::Other(other) => other.state_count(),
-        }
+        either!(self, domain => domain.state_count())
     }
 
     fn number(&self, state: &Self::State) -> u64 {
-        match (self, state) {
-            (Self::Floor(floor), Either::Floor(state)) => floor.number(state),
-            (Self::Other(other), Either::Other(state)) => other.number(state),
-            // A state of the other kind has no number here.
-            _ => u64::MAX,
-        }
+        // A state of the other kind has no number here.
+        either!(self, state, domain => domain.number(state), else u64::MAX)
     }
 
     fn numbered(&self, number: u64) -> Self::State {
@@ -108,19 +108,12 @@ impl<F: PushGrid, O: Domain> Domain for Either<F, O> {
 
     #[cfg(feature = "ways")]
     fn tell_derived(&self, state: &Self::State, object: ObjectId, tell: &mut dyn FnMut(&str)) {
-        match (self, state) {
-            (Self::Floor(floor), Either::Floor(state)) => floor.tell_derived(state, object, tell),
-            (Self::Other(other), Either::Other(state)) => other.tell_derived(state, object, tell),
-            _ => {}
-        }
+        either!(self, state, domain => domain.tell_derived(state, object, tell), else ())
     }
 
     #[cfg(feature = "alloc")]
     fn admits(&self, proposition: &GroundProposition) -> bool {
-        match self {
-            Self::Floor(floor) => floor.admits(proposition),
-            Self::Other(other) => other.admits(proposition),
-        }
+        either!(self, domain => domain.admits(proposition))
     }
 }
 

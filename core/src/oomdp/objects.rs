@@ -3,22 +3,12 @@
 use super::schema::{ClassId, PropositionId};
 use crate::capacity::{ARGUMENTS, ATTRIBUTES, Capacities, Capacity, CapacityError};
 use crate::memory::{ObjectTables, ObjectTablesRef};
-use crate::symbols::{Symbol, Symbols, SymbolsRef};
+use crate::symbols::{Symbol, Symbols, SymbolsRef, positions};
 
-/// An object, by its position among the [`Objects`].
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct ObjectId(pub(crate) u8);
-
-impl ObjectId {
-    /// The object at this position.
-    pub const fn new(position: u8) -> Self {
-        Self(position)
-    }
-
-    /// The position in the set.
-    pub const fn index(self) -> usize {
-        self.0 as usize
-    }
+positions! {
+    /// An object, by its position among the [`Objects`].
+    #[derive(Default)]
+    ObjectId(u8);
 }
 
 /// A propositional function of objects: `blockInRoom(block0, room2)`.
@@ -154,9 +144,7 @@ impl<'t> ObjectSet<'t> {
         if self.count.objects >= limit {
             return Err(CapacityError::full(Capacity::Objects, limit).into());
         }
-        if values.len() > ATTRIBUTES {
-            return Err(CapacityError::new(Capacity::Attributes, ATTRIBUTES, values.len()).into());
-        }
+        Capacity::Attributes.fits(values.len(), ATTRIBUTES)?;
         let (bytes, ends) = (&mut *self.memory.name_bytes, &mut *self.memory.name_ends);
         let mut names = Symbols::new(bytes, ends, &mut self.count.names, Capacity::Names, Capacity::NameBytesTogether);
         let mut object = Object { class, name: names.intern(name)?, ..Object::UNUSED };

@@ -1,24 +1,16 @@
 //! Robots that move on a floor of cells and move pieces there.
 
 use super::{Action, Domain, GroundProposition};
+use crate::symbols::positions;
 
-/// A cell, by its position in [`Floor::cells`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct CellId(pub(crate) u16);
+positions! {
+    /// A cell, by its position in [`Floor::cells`].
+    CellId(u16);
+}
 
 impl CellId {
     /// No cell: a wall, or the outside.
     pub const NONE: Self = Self(u16::MAX);
-
-    /// The cell at this position.
-    pub const fn new(position: u16) -> Self {
-        Self(position)
-    }
-
-    /// The position among the floor's cells.
-    pub const fn index(self) -> usize {
-        self.0 as usize
-    }
 }
 
 /// A cell of a floor.

@@ -2,36 +2,13 @@
 //!
 //! The language model knows a domain only by these names, so two robots whose schemas share names share their training data.
 
-/// A class of objects, by its position in [`Schema::classes`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct ClassId(pub(crate) u8);
+use crate::symbols::positions;
 
-impl ClassId {
-    /// The class at this position.
-    pub const fn new(position: u8) -> Self {
-        Self(position)
-    }
-
-    /// The position among the classes.
-    pub const fn index(self) -> usize {
-        self.0 as usize
-    }
-}
-
-/// A propositional function, by its position in [`Schema::propositions`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct PropositionId(pub(crate) u8);
-
-impl PropositionId {
-    /// The propositional function at this position.
-    pub const fn new(position: u8) -> Self {
-        Self(position)
-    }
-
-    /// The position among the propositional functions.
-    pub const fn index(self) -> usize {
-        self.0 as usize
-    }
+positions! {
+    /// A class of objects, by its position in [`Schema::classes`].
+    ClassId(u8);
+    /// A propositional function, by its position in [`Schema::propositions`].
+    PropositionId(u8);
 }
 
 /// A class of objects: `room`, `block`.

@@ -54,61 +54,37 @@ impl<D: PushGrid> SearchKind<D> for BitRows {
 #[doc(hidden)]
 pub struct NoGrid<S>(Infallible, PhantomData<S>);
 
+/// Methods that nobody can call, because there is no value to call them on.
+macro_rules! never {
+    ($(fn $name:ident(&self $(, $given:ident: $Given:ty)*) -> $Result:ty;)*) => {
+        $(fn $name(&self $(, $given: $Given)*) -> $Result {
+            match self.0 {}
+        })*
+    };
+}
+
 impl<S: Copy + PartialEq> Domain for NoGrid<S> {
     type State = S;
     type Search = OneByOne;
 
-    fn world(&self) -> World<'_> {
-        match self.0 {}
-    }
-
-    fn actions(&self) -> &[ActionKind<'_>] {
-        match self.0 {}
-    }
-
-    fn step(&self, _state: &S, _action: Action) -> Option<S> {
-        match self.0 {}
-    }
-
-    fn holds(&self, _proposition: &GroundProposition, _state: &S) -> bool {
-        match self.0 {}
-    }
-
-    fn state_count(&self) -> u64 {
-        match self.0 {}
-    }
-
-    fn number(&self, _state: &S) -> u64 {
-        match self.0 {}
-    }
-
-    fn numbered(&self, _number: u64) -> S {
-        match self.0 {}
+    never! {
+        fn world(&self) -> World<'_>;
+        fn actions(&self) -> &[ActionKind<'_>];
+        fn step(&self, _state: &S, _action: Action) -> Option<S>;
+        fn holds(&self, _proposition: &GroundProposition, _state: &S) -> bool;
+        fn state_count(&self) -> u64;
+        fn number(&self, _state: &S) -> u64;
+        fn numbered(&self, _number: u64) -> S;
     }
 }
 
 impl<S: Copy + PartialEq> PushGrid for NoGrid<S> {
-    fn floor(&self) -> Floor<'_> {
-        match self.0 {}
-    }
-
-    fn pieces(&self) -> usize {
-        match self.0 {}
-    }
-
-    fn cell(&self, _state: &S, _piece: Piece) -> CellId {
-        match self.0 {}
-    }
-
-    fn put(&self, _state: &S, _piece: Piece, _cell: CellId) -> S {
-        match self.0 {}
-    }
-
-    fn piece_of(&self, _proposition: &GroundProposition) -> Option<Piece> {
-        match self.0 {}
-    }
-
-    fn can_pull(&self) -> bool {
-        match self.0 {}
+    never! {
+        fn floor(&self) -> Floor<'_>;
+        fn pieces(&self) -> usize;
+        fn cell(&self, _state: &S, _piece: Piece) -> CellId;
+        fn put(&self, _state: &S, _piece: Piece, _cell: CellId) -> S;
+        fn piece_of(&self, _proposition: &GroundProposition) -> Option<Piece>;
+        fn can_pull(&self) -> bool;
     }
 }

@@ -60,11 +60,11 @@ pub(super) struct GoalTable {
     tabled_cells: u16,
     /// The number of filled entries.
     filled: u32,
-    all: TaskSet,
+    pub(super) all: TaskSet,
     /// The tasks that depend on the robot's cell, on another piece's cell, and on something that no single cell decides.
-    of_robot: TaskSet,
-    of_others: TaskSet,
-    of_several: TaskSet,
+    pub(super) of_robot: TaskSet,
+    pub(super) of_others: TaskSet,
+    pub(super) of_several: TaskSet,
 }
 
 impl GoalTable {
@@ -142,30 +142,9 @@ impl GoalTable {
         (self.filled as usize).saturating_sub(before)
     }
 
-    /// All tasks.
-    #[cfg(feature = "bounds")]
-    pub(super) fn all(&self) -> TaskSet {
-        self.all
-    }
-
     /// The number of distinct ground propositions in the tasks.
     pub(super) fn parts(&self) -> usize {
         usize::from(self.parts)
-    }
-
-    /// The tasks that depend on the robot's cell.
-    pub(super) fn of_robot(&self) -> TaskSet {
-        self.of_robot
-    }
-
-    /// The tasks that depend on the cell of another piece than the robot.
-    pub(super) fn of_others(&self) -> TaskSet {
-        self.of_others
-    }
-
-    /// The tasks that depend on something that no single piece's cell decides.
-    pub(super) fn of_several(&self) -> TaskSet {
-        self.of_several
     }
 }
 

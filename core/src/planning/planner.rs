@@ -352,7 +352,7 @@ impl Planner {
         #[cfg(feature = "bounds")]
         if let Some(grid) = D::Search::grid(domain) {
             let plain = waiting.without(with_ways);
-            let is_crowded = self.goals.all().len() > TaskSet::MOST_OF_ONE_WORD;
+            let is_crowded = self.goals.all.len() > TaskSet::MOST_OF_ONE_WORD;
             let likely = if is_crowded { self.likely } else { plain };
             let fits =
                 StateSearch::fits(domain, marks.len()) || RowSearch::layout(grid, &goals, plain, View::WHOLE, None, marks.len()).is_some();

@@ -251,7 +251,7 @@ impl RowSearch {
         words: usize,
     ) -> Option<Self> {
         let floor = grid.floor();
-        if !goals.table.of_several().common(tasks).is_empty() || grid.actions().iter().any(|kind| kind.cost != 1) {
+        if !goals.table.of_several.common(tasks).is_empty() || grid.actions().iter().any(|kind| kind.cost != 1) {
             return None;
         }
         let bits = Bits::new(&floor)?;
@@ -260,7 +260,7 @@ impl RowSearch {
         }
         let pieces = view.pieces(grid);
         let rows = bits.cells.checked_pow(pieces.count_ones())?;
-        let (of_robot, of_others) = (goals.table.of_robot().common(tasks), goals.table.of_others());
+        let (of_robot, of_others) = (goals.table.of_robot.common(tasks), goals.table.of_others);
         let actions = own_actions(grid).count();
         let plane = bits.len.div_ceil(64);
         let stride = plane.checked_mul(actions.saturating_add(2))?;
@@ -306,8 +306,7 @@ impl RowSearch {
     /// The number of words for a search of the whole floor for these tasks, `None` if rows cannot search for them.
     pub(super) fn words_needed<G: PushGrid>(grid: &G, goals: &Goals<'_>, tasks: TaskSet) -> Option<usize> {
         let search = Self::layout(grid, goals, tasks, View::WHOLE, None, usize::MAX)?;
-        let rows = search.bits.cells.checked_pow(search.pieces.count_ones())?;
-        rows.checked_mul(search.stride)?.checked_add(search.rows_at)
+        search.rows.checked_mul(search.stride)?.checked_add(search.rows_at)
     }
 
     #[inline]

@@ -153,7 +153,7 @@ impl<M: AgentMemory> Agent<M> {
         // Words need none of the counts.
         let mut language = self.language.called_with(tables.language, &mut []);
         language.forget_unlearned();
-        language.forget_explained();
+        language.training.forget_explained();
         let in_parts = in_parts && language.model() == Model::Roles;
         let kept = bytemuck::cast_slice_mut(tables.workspace).get_mut(..command.len()).filter(|_| in_parts);
         let is_kept = kept.is_some();

@@ -4,7 +4,7 @@ use super::contents::Contents;
 use super::error::{RestoreError, SaveError};
 use super::restoring::{Restoring, Stage};
 use super::saving::{Model, Saving};
-use crate::capacity::{Capacity, CapacityError};
+use crate::capacity::Capacity;
 use crate::feedback::BeliefRef;
 use crate::memory::{AgentMemory, AgentTables};
 use crate::oomdp::Domain;
@@ -213,9 +213,7 @@ impl<M: AgentMemory> Agent<M> {
             return Err(RestoreError::OtherDomain);
         }
         let limit = self.belief().most_strategies();
-        if contents.strategies.len() > limit {
-            return Err(CapacityError::new(Capacity::Strategies, limit, contents.strategies.len()).into());
-        }
+        Capacity::Strategies.fits(contents.strategies.len(), limit)?;
         Ok(())
     }
 

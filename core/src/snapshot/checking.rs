@@ -3,7 +3,7 @@
 use super::error::{Part, RestoreError};
 use super::record::{
     CHECK_BYTES, CommandRecord, HEADER_BYTES, KINDS_MAGIC, LAYERED_VERSION, LEAST_BYTES, MAGIC, OLDEST_VERSION, OPTIONS_BYTES,
-    OptionsRecord, PairRecord, RestsRecord, SessionRecord, Sizes, StrategyRecord, TrainerRecord, symbols,
+    OptionsRecord, PairRecord, RestsRecord, SessionRecord, Sizes, StrategyRecord, TrainerRecord, chunk, symbols,
 };
 use super::section::{Place, Section, take};
 use crate::capacity::NAME_BYTES;
@@ -39,21 +39,18 @@ const SECTIONS: [Part; SECTION_COUNT] = [
 ];
 const SECTION_COUNT: usize = if cfg!(feature = "layer") { 12 } else { 9 };
 
-pub(super) const STRATEGIES: usize = 0;
-pub(super) const WORDS: usize = 1;
-pub(super) const TOKENS: usize = 2;
-pub(super) const COMMANDS: usize = 3;
-pub(super) const SESSIONS: usize = 4;
-pub(super) const PAIRS: usize = 5;
-pub(super) const HEARD_AGAIN: usize = 6;
-pub(super) const TRAINERS: usize = 7;
-pub(super) const RESTS: usize = 8;
-#[cfg(feature = "layer")]
-pub(super) const POSSIBLE_COMMANDS: usize = 9;
-#[cfg(feature = "layer")]
-pub(super) const POSSIBLE_COUNTS: usize = 10;
-#[cfg(feature = "layer")]
-pub(super) const POSSIBLE: usize = 11;
+pub(super) const STRATEGIES: u8 = 0;
+pub(super) const WORDS: u8 = 1;
+pub(super) const TOKENS: u8 = 2;
+pub(super) const COMMANDS: u8 = 3;
+pub(super) const SESSIONS: u8 = 4;
+pub(super) const PAIRS: u8 = 5;
+pub(super) const HEARD_AGAIN: u8 = 6;
+pub(super) const TRAINERS: u8 = 7;
+pub(super) const RESTS: u8 = 8;
+pub(super) const POSSIBLE_COMMANDS: u8 = 9;
+pub(super) const POSSIBLE_COUNTS: u8 = 10;
+pub(super) const POSSIBLE: u8 = 11;
 
 /// Bytes checked for one cell of budget.
 pub(super) const BYTES_PER_CELL: usize = 8;
@@ -78,7 +75,7 @@ enum Stage {
     Bytes(usize),
     Head,
     /// A section, and the number of its unread records.
-    Section(usize, u32),
+    Section(u8, u32),
     Done,
 }
 
@@ -183,9 +180,9 @@ impl<'a> Checking<'a> {
     }
 
     /// Begins a section. Older files lack the last sections.
-    fn begin(&mut self, section: usize) -> Result<(), RestoreError> {
+    fn begin(&mut self, section: u8) -> Result<(), RestoreError> {
         let is_layered = self.is_layered();
-        let Some(&part) = SECTIONS.get(section).filter(|_| section <= RESTS || is_layered) else {
+        let Some(&part) = SECTIONS.get(usize::from(section)).filter(|_| section <= RESTS || is_layered) else {
             // A core without the layer ignores its sections.
             let is_left_over = (cfg!(feature = "layer") || !is_layered) && !self.rest.is_empty();
             let last = if is_layered { Part::Possible } else { Part::Rests };
@@ -195,7 +192,7 @@ impl<'a> Checking<'a> {
         let is_missing = (HEARD_AGAIN..=RESTS).contains(&section) && self.rest.is_empty();
         let count = if is_missing { 0 } else { take(&mut self.rest).ok_or(RestoreError::Inconsistent(part))? };
         let from = self.bytes.len().saturating_sub(CHECK_BYTES).saturating_sub(self.rest.len());
-        if let Some(place) = self.places.get_mut(section) {
+        if let Some(place) = self.places.get_mut(usize::from(section)) {
             *place = Place { count, from: from as u32 };
         }
         #[cfg(feature = "layer")]
@@ -206,18 +203,18 @@ impl<'a> Checking<'a> {
         Ok(())
     }
 
-    fn count(&self, section: usize) -> usize {
+    pub fn count(&self, section: u8) -> usize {
         self.place(section).count as usize
     }
 
-    fn place(&self, section: usize) -> Place {
-        self.places.get(section).copied().unwrap_or(Place::NONE)
+    fn place(&self, section: u8) -> Place {
+        self.places.get(usize::from(section)).copied().unwrap_or(Place::NONE)
     }
 
     /// Checks that a section agrees with the earlier ones, once all its records are read.
-    fn end(&self, section: usize) -> Result<(), RestoreError> {
+    fn end(&self, section: u8) -> Result<(), RestoreError> {
         let count = self.count(section);
-        let agrees = |with: usize| count == 0 || count == self.count(with);
+        let agrees = |with: u8| count == 0 || count == self.count(with);
         let is_sound = match section {
             // An agent always has a strategy; a language model alone has none.
             STRATEGIES => count == 0 || self.believed > 0.0,
@@ -230,17 +227,17 @@ impl<'a> Checking<'a> {
             POSSIBLE => count == self.pairs_wanted as usize,
             _ => true,
         };
-        let part = SECTIONS.get(section).copied().unwrap_or(Part::Rests);
+        let part = SECTIONS.get(usize::from(section)).copied().unwrap_or(Part::Rests);
         if is_sound { Ok(()) } else { Err(RestoreError::Inconsistent(part)) }
     }
 
     /// Checks one record. Returns the number of its entries.
-    fn record(&mut self, section: usize) -> Result<usize, RestoreError> {
-        let part = SECTIONS.get(section).copied().unwrap_or(Part::Rests);
+    fn record(&mut self, section: u8) -> Result<usize, RestoreError> {
+        let part = SECTIONS.get(usize::from(section)).copied().unwrap_or(Part::Rests);
         self.sound_record(section).ok_or(RestoreError::Inconsistent(part))
     }
 
-    fn sound_record(&mut self, section: usize) -> Option<usize> {
+    fn sound_record(&mut self, section: u8) -> Option<usize> {
         let rest = &mut self.rest;
         match section {
             STRATEGIES => {
@@ -324,7 +321,7 @@ impl<'a> Checking<'a> {
     }
 
     /// The records of a checked section.
-    pub fn section<T: Deserialize<'a>>(&self, section: usize) -> Section<'a, T> {
+    pub fn section<T: Deserialize<'a>>(&self, section: u8) -> Section<'a, T> {
         Section::at(self.bytes, self.place(section))
     }
 }
@@ -344,19 +341,13 @@ pub(super) fn options(rest: &mut &[u8]) -> Option<Options> {
 fn version(bytes: &[u8]) -> Result<(u16, &[u8]), RestoreError> {
     let mut rest = bytes.strip_prefix(&MAGIC).ok_or(RestoreError::NotAModel)?;
     let truncated = RestoreError::Length { stated: LEAST_BYTES as u32, given: bytes.len() };
-    let found = u16::from_le_bytes(*split_array(&mut rest).ok_or(truncated)?);
+    let found = u16::from_le_bytes(chunk(&mut rest).ok_or(truncated)?);
     if !(OLDEST_VERSION..=LAYERED_VERSION).contains(&found) {
         return Err(RestoreError::Version { found });
     }
-    let stated = u32::from_le_bytes(*split_array(&mut rest).ok_or(truncated)?);
+    let stated = u32::from_le_bytes(chunk(&mut rest).ok_or(truncated)?);
     match bytes.split_at_checked(stated as usize) {
         Some((model, after)) if model.len() >= LEAST_BYTES && (after.is_empty() || after.starts_with(&KINDS_MAGIC)) => Ok((found, model)),
         _ => Err(RestoreError::Length { stated, given: bytes.len() }),
     }
-}
-
-fn split_array<'a, const N: usize>(rest: &mut &'a [u8]) -> Option<&'a [u8; N]> {
-    let (array, after) = rest.split_first_chunk::<N>()?;
-    *rest = after;
-    Some(array)
 }

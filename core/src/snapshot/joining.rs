@@ -11,7 +11,7 @@ use crate::capacity::{CapacityError, TOKENS_PER_COMMAND, WORDS_PER_COMMAND};
 use crate::language::{LanguageMut, LanguageRef, Model, Pair};
 use crate::memory::AgentMemory;
 use crate::session::Agent;
-use crate::symbols::Symbol;
+use crate::symbols::{Symbol, listed};
 use crate::task::constraint::sort;
 use crate::task::role::is_marker;
 use heapless::Vec;
@@ -73,15 +73,15 @@ impl LanguageMut<'_> {
     /// Adds the sessions to learn from beside this many own ones.
     pub(super) fn join_contents(&mut self, contents: &Contents<'_>, beside: usize) -> Result<usize, CapacityError> {
         self.forget_unlearned();
-        let (words, tokens, extent) = (self.words_mut().len(), self.tokens_mut().len(), self.bitext_mut().extent());
+        let (words, tokens, extent) = (self.words.len(), self.tokens_mut().len(), self.bitext.extent());
         let tasks = self.possible_mut().map(|possible| possible.extent());
         let added = self.add_contents(contents, beside).and_then(|added| self.data_replaced().map(|()| added));
         if added.is_err() {
-            self.bitext_mut().rewind(extent);
+            self.bitext.rewind(extent);
             if let (Some(possible), Some(extent)) = (self.possible_mut(), tasks) {
                 possible.rewind(extent);
             }
-            self.words_mut().truncate(words);
+            self.words.truncate(words);
             self.tokens_mut().truncate(tokens);
             // These are the previous data, so they fit.
             let _ = self.data_replaced();
@@ -123,7 +123,7 @@ impl LanguageMut<'_> {
                 }
             };
             if heard_again.next() == Some(true) {
-                self.bitext_mut().set_heard_again(at);
+                self.bitext.set_heard_again(at);
             }
             let _ = pairs.by_ref().take(count).count();
         }
@@ -142,7 +142,8 @@ impl LanguageMut<'_> {
             }
             let symbol =
                 |&token: &u16| marker(token).or_else(|| language.tokens().find(texts.tokens.get(usize::from(token)).unwrap_or("")));
-            let (mut command, mut own) = (listed(record.iter().map_while(symbol)), listed(own.iter().copied()));
+            let mut command: Vec<Symbol, TOKENS_PER_COMMAND> = listed(record.iter().map_while(symbol));
+            let mut own: Vec<Symbol, TOKENS_PER_COMMAND> = listed(own.iter().copied());
             language.put_in_order(&mut command);
             language.put_in_order(&mut own);
             command == own
@@ -165,10 +166,10 @@ impl LanguageMut<'_> {
             // There are no more words than the record has, so they fit.
             let _ = sentence.push(self.take_word(texts.words.get(usize::from(word)).unwrap_or(""), 0)?);
         }
-        self.bitext_mut().add_session(&sentence)?;
+        self.bitext.add_session(&sentence)?;
         for pair in pairs {
             let command = self.symbols_here(&texts.commands.get(usize::from(pair.command)).unwrap_or_default(), texts)?;
-            self.bitext_mut().add_pair(&command, pair.weight)?;
+            self.bitext.add_pair(&command, pair.weight)?;
         }
         Ok(())
     }
@@ -186,15 +187,6 @@ impl LanguageMut<'_> {
         self.read().put_in_order(&mut command);
         Ok(command)
     }
-}
-
-/// The symbols of a machine command. Collecting them could panic, for all that the compiler knows.
-fn listed(symbols: impl Iterator<Item = Symbol>) -> Vec<Symbol, TOKENS_PER_COMMAND> {
-    let mut list = Vec::new();
-    for symbol in symbols.take(TOKENS_PER_COMMAND) {
-        let _ = list.push(symbol);
-    }
-    list
 }
 
 /// The words, machine tokens and machine commands of a file.

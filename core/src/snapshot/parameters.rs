@@ -5,6 +5,7 @@
 #[cfg(feature = "learning")]
 use super::error::SaveError;
 use super::error::{Part, RestoreError};
+use super::record::chunk;
 #[cfg(feature = "learning")]
 use super::saving::Out;
 use crate::capacity::{Capacity, CapacityError, NAME_BYTES};
@@ -208,12 +209,6 @@ impl<'a> Parameters<'a> {
         let full = needs.into_iter().find(|&(_, room, need)| need > room);
         full.map_or(Ok(()), |(capacity, room, need)| Err(CapacityError::new(capacity, room, need)))
     }
-}
-
-fn chunk<const N: usize>(rest: &mut &[u8]) -> Option<[u8; N]> {
-    let (found, after) = rest.split_first_chunk::<N>()?;
-    *rest = after;
-    Some(*found)
 }
 
 fn short(rest: &mut &[u8]) -> Option<u16> {

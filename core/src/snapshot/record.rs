@@ -10,7 +10,7 @@ use crate::feedback::{Ending, Hazard, LAGS, RESTS, Strategy};
 use crate::language::{Model, Settings};
 use crate::session::{Options, Weights};
 #[cfg(feature = "learning")]
-use crate::symbols::Symbol;
+use crate::symbols::{Symbol, listed};
 use crate::task::TokenOrder;
 #[cfg(feature = "learning")]
 use crate::task::role::is_marker;
@@ -217,15 +217,17 @@ pub type RestsRecord = [f32; RESTS];
 #[doc(hidden)]
 pub type CommandRecord = heapless::Vec<u16, TOKENS_PER_COMMAND>;
 
+/// Takes bytes from the front.
+pub(super) fn chunk<const N: usize>(rest: &mut &[u8]) -> Option<[u8; N]> {
+    let (found, after) = rest.split_first_chunk::<N>()?;
+    *rest = after;
+    Some(*found)
+}
+
 /// The tokens of a machine command.
 #[cfg(feature = "learning")]
 pub(super) fn symbols(record: &CommandRecord) -> heapless::Vec<Symbol, TOKENS_PER_COMMAND> {
-    let mut symbols = heapless::Vec::new();
-    for &token in record {
-        // There are no more tokens than the record has, so they fit.
-        let _ = symbols.push(Symbol(token));
-    }
-    symbols
+    listed(record.iter().map(|&token| Symbol(token)))
 }
 
 /// A role's marker, which is the same in all models.

@@ -4,14 +4,14 @@ use super::checking::{COMMANDS, Checking, HEARD_AGAIN, PAIRS, SESSIONS, TOKENS, 
 use super::contents::Contents;
 use super::error::{Part, RestoreError};
 use super::record::{CommandRecord, HEADER_BYTES, PairRecord, SessionRecord, symbols};
-use super::section::{Section, take};
+use super::section::take;
 use crate::capacity::{TOKENS_PER_COMMAND, WORDS_PER_COMMAND};
-use crate::language::model::{LanguageState, Unlearned};
+use crate::language::model::{LanguageState, Used};
 use crate::language::{LanguageMut, LanguageRef};
 use crate::memory::LanguageTables;
 use crate::oomdp::{Schema, vocabulary};
 use crate::planning::Progress;
-use crate::symbols::Symbol;
+use crate::symbols::{Symbol, listed};
 use crate::task::role::{Marker, VALUE_SORTS};
 use heapless::Vec;
 
@@ -25,7 +25,7 @@ pub struct Restoring<'a> {
     /// The unread pairs, and how many of them belong to the last session.
     pairs: &'a [u8],
     of_session: u32,
-    unlearned: Unlearned,
+    unlearned: Used,
     /// Identifies this restoring and its progress, to detect another one.
     pub(super) mark: u32,
     /// A vocabulary, and the earlier version of it that the model has; 0 if none is known.
@@ -39,17 +39,12 @@ pub(super) enum Stage {
     Check,
     /// Checks that the robot's memory has room.
     Room,
-    /// Checks that a text differs from each earlier one.
-    DistinctWord(u32),
-    DistinctToken(u32),
+    /// Checks that the text at this position of a section differs from each earlier one.
+    Distinct(u8, u32),
     /// Makes the robot forget everything.
     Begin,
-    /// Takes over the record at this position.
-    Word(u32),
-    Token(u32),
-    Command(u32),
-    Session(u32),
-    HeardAgain(u32),
+    /// Takes over the record at this position of a section.
+    Take(u8, u32),
     /// Marks the records taken over as learned.
     Commit,
     Done,
@@ -71,8 +66,8 @@ impl AddedAttributes {
         if self.added == 0 {
             return symbols(record);
         }
-        let (mut moved, mut has_room) = (Vec::new(), true);
-        for &token in record {
+        let mut has_room = true;
+        listed(record.iter().filter_map(|&token| {
             let mut symbol = Symbol(token);
             if let Some(marker) = Marker::of(symbol) {
                 let is_derived = usize::from(marker.sort >> 1) >= self.before;
@@ -80,12 +75,8 @@ impl AddedAttributes {
                 has_room = sort < VALUE_SORTS;
                 symbol = Marker { sort: sort as u8, ..marker }.symbol();
             }
-            if has_room {
-                // There are no more symbols than the record has, so they fit.
-                let _ = moved.push(symbol);
-            }
-        }
-        moved
+            has_room.then_some(symbol)
+        }))
     }
 }
 
@@ -98,7 +89,7 @@ impl<'a> Restoring<'a> {
             rest: &[],
             pairs: &[],
             of_session: 0,
-            unlearned: Unlearned::NONE,
+            unlearned: Used::NONE,
             mark: 0,
             continued: (0, 0),
             added: AddedAttributes::NONE,
@@ -120,7 +111,7 @@ impl<'a> Restoring<'a> {
 
     /// Whether records are being taken over: the robot has forgotten its earlier training data, and these are not learned yet.
     pub(super) const fn is_taking(&self) -> bool {
-        !matches!(self.stage, Stage::Check | Stage::Room | Stage::DistinctWord(_) | Stage::DistinctToken(_) | Stage::Begin | Stage::Done)
+        matches!(self.stage, Stage::Take(..) | Stage::Commit)
     }
 
     /// Continues the stage, for a language model in its tables, with about `left` units of work: at least one record.
@@ -140,10 +131,10 @@ impl<'a> Restoring<'a> {
             }
             Stage::Room => {
                 self.check_room(language.read(tables.read(), workspace.len()))?;
-                self.stage = Stage::DistinctWord(0);
+                self.stage = Stage::Distinct(WORDS, 0);
                 *left = left.saturating_sub(1);
             }
-            Stage::DistinctWord(_) | Stage::DistinctToken(_) => *left = left.saturating_sub(self.distinct()?),
+            Stage::Distinct(section, at) => *left = left.saturating_sub(self.distinct(section, at)?),
             Stage::Begin => {
                 self.forget(&mut language.with(tables, workspace))?;
                 self.begin(language);
@@ -155,7 +146,7 @@ impl<'a> Restoring<'a> {
                 self.stage = Stage::Done;
                 *left = left.saturating_sub(1);
             }
-            _ => self.take(language, tables, workspace, left),
+            Stage::Take(..) => self.take(language, tables, workspace, left),
         }
         Ok(())
     }
@@ -173,34 +164,29 @@ impl<'a> Restoring<'a> {
     }
 
     /// Continues to check that no text occurs twice. Returns the work.
-    fn distinct(&mut self) -> Result<u32, RestoreError> {
-        let (section, at, part) = match self.stage {
-            Stage::DistinctWord(at) => (WORDS, at, Part::Words),
-            Stage::DistinctToken(at) => (TOKENS, at, Part::Tokens),
-            _ => return Ok(1),
-        };
-        let texts: Section<'a, &[u8]> = self.checking.section(section);
+    fn distinct(&mut self, section: u8, at: u32) -> Result<u32, RestoreError> {
+        let texts = self.checking.section::<&[u8]>(section);
         if at == 0 {
             self.rest = texts.bytes();
         }
         if at as usize >= texts.len() {
-            self.stage = if section == WORDS { Stage::DistinctToken(0) } else { Stage::Begin };
+            self.stage = if section == WORDS { Stage::Distinct(TOKENS, 0) } else { Stage::Begin };
             return Ok(1);
         }
-        let wrong = RestoreError::Inconsistent(part);
+        let wrong = RestoreError::Inconsistent(if section == WORDS { Part::Words } else { Part::Tokens });
         let text: &[u8] = take(&mut self.rest).ok_or(wrong)?;
         if texts.iter().take(at as usize).any(|other| other == text) {
             return Err(wrong);
         }
         let next = at.saturating_add(1);
-        self.stage = if section == WORDS { Stage::DistinctWord(next) } else { Stage::DistinctToken(next) };
+        self.stage = Stage::Distinct(section, next);
         Ok(next)
     }
 
     /// Begins to take records over, into empty tables.
     fn begin(&mut self, language: &LanguageState) {
-        self.unlearned = Unlearned::after(language);
-        self.stage = Stage::Word(0);
+        self.unlearned = Used::after(language);
+        self.stage = Stage::Take(WORDS, 0);
         self.rest = self.checking.section::<&str>(WORDS).bytes();
         self.pairs = self.checking.section::<PairRecord>(PAIRS).bytes();
         self.of_session = 0;
@@ -211,79 +197,56 @@ impl<'a> Restoring<'a> {
     fn take(&mut self, language: &mut LanguageState, tables: LanguageTables<'_>, workspace: &mut [u64], left: &mut u32) {
         language.exchange(&mut self.unlearned);
         let mut model = language.with(tables, workspace);
-        while *left > 0 && self.is_taking() && self.stage != Stage::Commit {
+        while let (1.., Stage::Take(section, at)) = (*left, self.stage) {
             // The file was checked, so every record can be read.
-            let work = self.record(&mut model).unwrap_or(0);
+            let work = self.record(section, at, &mut model).unwrap_or(0);
             *left = left.saturating_sub((work as u32).saturating_add(1));
         }
         language.exchange(&mut self.unlearned);
     }
 
-    /// Sets the stage of the next record, or the one after the last. Returns whether there is a record.
-    fn next<T: serde::Deserialize<'a>>(&mut self, at: u32, section: usize, next: fn(u32) -> Stage, after: (Stage, usize)) -> bool {
-        if (at as usize) < self.checking.section::<T>(section).len() {
-            self.stage = next(at.saturating_add(1));
-            return true;
-        }
-        (self.stage, self.rest) = (after.0, self.checking.section::<T>(after.1).bytes());
-        false
-    }
-
     /// Takes over one record; returns the number of its entries. Nothing here fails: `check_room` has found room for all records and
     /// parameters.
-    fn record(&mut self, language: &mut LanguageMut<'_>) -> Option<usize> {
-        match self.stage {
-            Stage::Word(at) => {
-                if !self.next::<&str>(at, WORDS, Stage::Word, (Stage::Token(0), TOKENS)) {
-                    return Some(0);
-                }
-                let _ = language.words_mut().intern(take(&mut self.rest)?);
+    fn record(&mut self, section: u8, at: u32, language: &mut LanguageMut<'_>) -> Option<usize> {
+        if self.of_session > 0 {
+            self.of_session = self.of_session.saturating_sub(1);
+            let pair: PairRecord = take(&mut self.pairs)?;
+            let _ = language.bitext.add_pair_with(pair.command, pair.weight);
+            return Some(0);
+        }
+        if at as usize >= self.checking.count(section) {
+            // The pairs between the sessions and these were taken with the sessions.
+            let next = if section == SESSIONS { HEARD_AGAIN } else { section.saturating_add(1) };
+            self.stage = if section == HEARD_AGAIN { Stage::Commit } else { Stage::Take(next, 0) };
+            self.rest = self.checking.section::<&str>(next).bytes();
+            return Some(0);
+        }
+        self.stage = Stage::Take(section, at.saturating_add(1));
+        match section {
+            WORDS | TOKENS => {
+                let symbols = if section == WORDS { &mut language.words } else { language.tokens_mut() };
+                let _ = symbols.intern(take(&mut self.rest)?);
                 // `intern` compares a text with all earlier ones.
                 Some(at as usize)
             }
-            Stage::Token(at) => {
-                if !self.next::<&str>(at, TOKENS, Stage::Token, (Stage::Command(0), COMMANDS)) {
-                    return Some(0);
-                }
-                let _ = language.tokens_mut().intern(take(&mut self.rest)?);
-                Some(at as usize)
-            }
-            Stage::Command(at) => {
-                if !self.next::<CommandRecord>(at, COMMANDS, Stage::Command, (Stage::Session(0), SESSIONS)) {
-                    return Some(0);
-                }
+            COMMANDS => {
                 let record: CommandRecord = take(&mut self.rest)?;
-                let _ = language.bitext_mut().add_command(&self.added.symbols(&record));
+                let _ = language.bitext.add_command(&self.added.symbols(&record));
                 Some(record.len())
             }
-            Stage::Session(_) if self.of_session > 0 => {
-                self.of_session = self.of_session.saturating_sub(1);
-                let pair: PairRecord = take(&mut self.pairs)?;
-                let _ = language.bitext_mut().add_pair_with(pair.command, pair.weight);
-                Some(0)
-            }
-            Stage::Session(at) => {
-                if !self.next::<SessionRecord>(at, SESSIONS, Stage::Session, (Stage::HeardAgain(0), HEARD_AGAIN)) {
-                    return Some(0);
-                }
+            SESSIONS => {
                 let session: SessionRecord = take(&mut self.rest)?;
-                // `collect` would link code that can panic.
-                let mut words: Vec<Symbol, WORDS_PER_COMMAND> = Vec::new();
-                for &word in &session.words {
-                    let _ = words.push(Symbol(word));
-                }
-                let _ = language.bitext_mut().add_session(&words);
+                let words: Vec<Symbol, WORDS_PER_COMMAND> = listed(session.words.iter().map(|&word| Symbol(word)));
+                let _ = language.bitext.add_session(&words);
                 self.of_session = session.pairs;
                 Some(words.len())
             }
-            Stage::HeardAgain(at) => {
-                let is_one = self.next::<bool>(at, HEARD_AGAIN, Stage::HeardAgain, (Stage::Commit, HEARD_AGAIN));
-                if is_one && take(&mut self.rest)? {
-                    language.bitext_mut().set_heard_again(at as u16);
+            _ => {
+                if take(&mut self.rest)? {
+                    language.bitext.set_heard_again(at as u16);
                 }
                 Some(0)
             }
-            _ => Some(0),
         }
     }
 }

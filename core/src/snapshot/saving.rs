@@ -1,6 +1,9 @@
 //! Writing a model in parts, record by record, without memory of its own.
 
-use super::checking::BYTES_PER_CELL;
+use super::checking::{
+    BYTES_PER_CELL, COMMANDS, HEARD_AGAIN, PAIRS, POSSIBLE, POSSIBLE_COMMANDS, POSSIBLE_COUNTS, RESTS, SESSIONS, STRATEGIES, TOKENS,
+    TRAINERS, WORDS,
+};
 use super::error::SaveError;
 use super::record::{CHECK_BYTES, HEADER_BYTES, LAYERED_VERSION, MAGIC, OPTIONS_BYTES, OptionsRecord, Sizes, VERSION};
 use crate::capacity::Capacities;
@@ -22,22 +25,12 @@ pub struct Saving {
     changes: u32,
 }
 
-/// The next section to write.
+/// The next part to write.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Stage {
     Head,
-    Strategies,
-    /// The position of the next record of a list. A list begins with its length.
-    Words(usize),
-    Tokens(usize),
-    Commands(usize),
-    Sessions(usize),
-    Pairs(usize),
-    HeardAgain(usize),
-    Trainers,
-    PossibleCommands(usize),
-    PossibleCounts(usize),
-    Possible(usize),
+    /// A section, and the position of its next record.
+    Section(u8, usize),
     /// The checksum of the bytes, from this one on.
     Check(usize),
 }
@@ -175,7 +168,7 @@ impl Model<'_> {
             } else {
                 let before = saving.length;
                 let mut out = Out { buffer: &mut *buffer, length: before };
-                saving.stage = self.write_record(saving.stage, &mut out)?;
+                saving.stage = self.write_part(saving.stage, &mut out)?;
                 saving.length = out.length;
                 if saving.stage == Stage::Check(0) {
                     self.write_header(saving, buffer)?;
@@ -221,75 +214,65 @@ impl Model<'_> {
         if needed > given { Err(SaveError::Buffer { needed, given }) } else { Ok(needed) }
     }
 
-    /// Writes one record. Returns the next stage.
-    fn write_record(&self, stage: Stage, out: &mut Out<'_>) -> Result<Stage, SaveError> {
-        let (language, bitext) = (self.language, self.language.bitext());
-        /// The stage of the next record of a list, or the one after the list; `$write` writes the record.
-        macro_rules! list {
-            ($stage:ident($at:ident) of $count:expr, then $after:expr, $write:expr) => {{
-                let count = $count;
-                if $at == 0 {
-                    out.count(count);
-                }
-                if $at < count {
-                    $write;
-                }
-                let next = $at.saturating_add(1);
-                if next < count { Stage::$stage(next) } else { $after }
-            }};
-        }
+    /// Writes the head, or one record. Returns the next stage.
+    fn write_part(&self, stage: Stage, out: &mut Out<'_>) -> Result<Stage, SaveError> {
         Ok(match stage {
             Stage::Head => {
                 self.write_head(out)?;
-                Stage::Strategies
+                Stage::Section(STRATEGIES, 0)
             }
-            Stage::Strategies => {
+            Stage::Section(STRATEGIES, _) => {
                 self.write_strategies(out);
-                Stage::Words(0)
+                self.after(STRATEGIES)
             }
-            Stage::Words(at) => {
-                list!(Words(at) of language.learned_words(), then Stage::Tokens(0), out.text(language.words().text(Symbol(at as u16))))
-            }
-            Stage::Tokens(at) => {
-                list!(Tokens(at) of language.learned_tokens(), then Stage::Commands(0), out.text(language.tokens().text(Symbol(at as u16))))
-            }
-            Stage::Commands(at) => {
-                list!(Commands(at) of bitext.commands(), then Stage::Sessions(0), out.symbols(bitext.command(at as u16)))
-            }
-            Stage::Sessions(at) => list!(Sessions(at) of bitext.sessions(), then Stage::Pairs(0), {
-                out.symbols(bitext.sentence(at as u16));
-                out.count(bitext.pairs_of(at as u16).len());
-            }),
-            Stage::Pairs(at) => list!(Pairs(at) of bitext.pairs().len(), then Stage::HeardAgain(0), {
-                if let Some(pair) = bitext.pairs().get(at) {
-                    out.pair(pair)?;
-                }
-            }),
-            Stage::HeardAgain(at) => {
-                list!(HeardAgain(at) of bitext.sessions(), then Stage::Trainers, out.bytes(&[u8::from(bitext.heard_again(at as u16))]))
-            }
-            Stage::Trainers => {
+            Stage::Section(TRAINERS, _) => {
                 self.write_trainers(out);
-                self.after_trainers()
+                self.after(RESTS)
             }
-            Stage::PossibleCommands(at) => {
-                let Some(possible) = self.possible() else { return Ok(Stage::Check(0)) };
-                list!(PossibleCommands(at) of possible.commands(), then Stage::PossibleCounts(0), out.symbols(possible.command(at as u16)))
-            }
-            Stage::PossibleCounts(at) => {
-                let Some(possible) = self.possible() else { return Ok(Stage::Check(0)) };
-                list!(PossibleCounts(at) of possible.sessions(), then Stage::Possible(0), out.count(possible.pairs_of(at as u16).len()))
-            }
-            Stage::Possible(at) => {
-                let Some(possible) = self.possible() else { return Ok(Stage::Check(0)) };
-                list!(Possible(at) of possible.pairs().len(), then Stage::Check(0), {
-                    if let Some(pair) = possible.pairs().get(at) {
-                        out.pair(pair)?;
-                    }
-                })
-            }
+            Stage::Section(section, at) => self.write_record(section, at, out)?,
             Stage::Check(from) => Stage::Check(from),
         })
+    }
+
+    /// Writes one record of a section, which begins with their number. Returns the next stage.
+    fn write_record(&self, section: u8, at: usize, out: &mut Out<'_>) -> Result<Stage, SaveError> {
+        let (language, position) = (self.language, at as u16);
+        let data = self.possible().filter(|_| section >= POSSIBLE_COMMANDS).unwrap_or(language.bitext());
+        let count = match section {
+            WORDS => language.learned_words(),
+            TOKENS => language.learned_tokens(),
+            COMMANDS | POSSIBLE_COMMANDS => data.commands(),
+            PAIRS | POSSIBLE => data.pairs().len(),
+            _ => data.sessions(),
+        };
+        if at == 0 {
+            out.count(count);
+        }
+        if at < count {
+            match section {
+                WORDS => out.text(language.words().text(Symbol(position))),
+                TOKENS => out.text(language.tokens().text(Symbol(position))),
+                COMMANDS | POSSIBLE_COMMANDS => out.symbols(data.command(position)),
+                SESSIONS => {
+                    out.symbols(data.sentence(position));
+                    out.count(data.pairs_of(position).len());
+                }
+                HEARD_AGAIN => out.bytes(&[u8::from(data.heard_again(position))]),
+                POSSIBLE_COUNTS => out.count(data.pairs_of(position).len()),
+                _ => data.pairs().get(at).map_or(Ok(()), |pair| out.pair(pair))?,
+            }
+        }
+        let next = at.saturating_add(1);
+        Ok(if next < count { Stage::Section(section, next) } else { self.after(section) })
+    }
+
+    /// The stage after a section.
+    fn after(&self, section: u8) -> Stage {
+        match section {
+            POSSIBLE => Stage::Check(0),
+            RESTS if self.possible().is_none() => Stage::Check(0),
+            section => Stage::Section(section.saturating_add(1), 0),
+        }
     }
 
     #[inline(never)]
@@ -341,10 +324,6 @@ impl Model<'_> {
         #[cfg(feature = "layer")]
         let possible = possible.filter(|_| self.options.language.layer);
         possible
-    }
-
-    fn after_trainers(&self) -> Stage {
-        if self.possible().is_some() { Stage::PossibleCommands(0) } else { Stage::Check(0) }
     }
 
     fn version(&self) -> u16 {

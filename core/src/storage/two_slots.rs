@@ -217,7 +217,7 @@ macro_rules! two_slots {
                 let (needed, given) = (header.length as usize, buffer.len());
                 let room = buffer.get_mut(..needed).ok_or(StorageError::Size { needed, given })?;
                 let mut written = 0_usize;
-                self.read_model(slot, header.length, |bytes| {
+                self.read(self.model_start(slot), needed, |bytes| {
                     let end = written.saturating_add(bytes.len());
                     if let Some(part) = room.get_mut(written..end) {
                         // Both have this length. `copy_from_slice` would check it and could panic.
@@ -407,10 +407,6 @@ macro_rules! two_slots {
                 self.read(from, part, |bytes| checked.take(length, bytes))$($await)*?;
                 let is_read = checked.at >= length;
                 Ok((part, is_read.then(|| Some(known).filter(|_| checked.is_right()))))
-            }
-
-            $($async)? fn read_model(&mut self, slot: usize, length: u32, take: impl FnMut(&[u8])) -> Result<(), StorageError<F::Error>> {
-                self.read(self.model_start(slot), length as usize, take)$($await)*
             }
 
             /// Passes `length` bytes from `at` on to `take`, in parts that the flash can read.

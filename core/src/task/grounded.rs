@@ -251,9 +251,7 @@ pub(crate) fn ground_unless(
             grounded.prior = share;
         }
     }
-    if count > limit {
-        return Err(CapacityError::new(Capacity::Tasks, limit, count));
-    }
+    Capacity::Tasks.fits(count, limit)?;
     let share = 1.0 / groups.max(1) as f32;
     for grounded in tasks.iter_mut().take(count) {
         grounded.prior *= share;

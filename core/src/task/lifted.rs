@@ -124,9 +124,7 @@ impl LiftedTask {
             return Err(TaskTextError::UnknownProposition { proposition: 0 });
         }
         let mut variables = [NO_VARIABLE; ARGUMENTS];
-        if parameters.len() > ARGUMENTS {
-            return Err(CapacityError::new(Capacity::Arguments, ARGUMENTS, parameters.len()).into());
-        }
+        Capacity::Arguments.fits(parameters.len(), ARGUMENTS)?;
         for ((position, slot), &class) in variables.iter_mut().enumerate().zip(parameters) {
             *slot = position as u8;
             task.add_variable(class)?;
@@ -155,9 +153,7 @@ impl LiftedTask {
         }
         let parameters = schema.parameters(proposition);
         let Some(last) = parameters.len().checked_sub(1) else { return Err(TaskTextError::UnknownProposition { proposition: 0 }) };
-        if parameters.len() > ARGUMENTS {
-            return Err(CapacityError::new(Capacity::Arguments, ARGUMENTS, parameters.len()).into());
-        }
+        Capacity::Arguments.fits(parameters.len(), ARGUMENTS)?;
         let mut task = self.clone();
         let part = match clause {
             Clause::Avoiding => Part::Avoiding,
@@ -273,9 +269,7 @@ impl LiftedTask {
             let (given, wanted) = (given.min(usize::from(u8::MAX)) as u8, parameters.len().min(usize::from(u8::MAX)) as u8);
             return Err(TaskTextError::ArgumentCount { proposition: this, given, wanted });
         }
-        if parameters.len() > ARGUMENTS {
-            return Err(CapacityError::new(Capacity::Arguments, ARGUMENTS, parameters.len()).into());
-        }
+        Capacity::Arguments.fits(parameters.len(), ARGUMENTS)?;
         let mut variables = [NO_VARIABLE; ARGUMENTS];
         for (at, ((argument, slot), &class)) in pieces(arguments, b',').zip(variables.iter_mut()).zip(parameters).enumerate() {
             let variable = argument.trim_ascii();
@@ -331,11 +325,9 @@ impl LiftedTask {
 
     /// Refuses a way that requires or avoids the goal itself.
     fn check_way(&self) -> Result<(), TaskTextError> {
-        for (position, (part, proposition)) in self.way().enumerate() {
-            let mut others = self.way().enumerate().filter(|&(other, _)| other != position).map(|(_, other)| other);
-            let in_way = others.any(|(other, same)| same == proposition && !matches!((part, other), (Part::Before(_), Part::Before(_))));
-            let in_goal = self.propositions().contains(&proposition) && !matches!(part, Part::Before(_));
-            if (in_way || in_goal) && part == Part::Avoiding {
+        for (_, avoided) in self.way().filter(|&(part, _)| part == Part::Avoiding) {
+            // Itself, and another part.
+            if self.parts().filter(|&(_, same)| same == avoided).count() > 1 {
                 return Err(TaskTextError::AvoidsGoal);
             }
         }

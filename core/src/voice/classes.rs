@@ -270,7 +270,7 @@ impl<'t> ClosedWords<'t> {
 
     /// Marks of all words of these classes.
     fn marks(self, classes: &[Class]) -> Marks {
-        let mut marks = Marks::default();
+        let mut marks = Marks([0; 64]);
         for line in self.lines().filter(|line| classes.iter().any(|class| class.name() == line.name)) {
             line.words().for_each(|word| marks.add(word));
         }
@@ -283,7 +283,7 @@ impl<'t> ClosedWords<'t> {
 
     /// The lines of all languages, also of those that are not spoken, with the bit of each.
     fn lines_of_languages(self) -> impl Iterator<Item = (u32, Line<'t>)> {
-        let mut languages = Languages::default();
+        let mut languages = Languages::START;
         lines(self.text).filter_map(move |line| Some((languages.now, languages.pass(parted(line)?)?)))
     }
 
@@ -297,7 +297,7 @@ impl<'t> ClosedWords<'t> {
 
     /// The bit of the language of a line.
     fn language_at(self, start: usize) -> u32 {
-        let mut languages = Languages::default();
+        let mut languages = Languages::START;
         for (_, line) in lines_with(self.text.get(..start).unwrap_or(""), LANGUAGE.as_bytes()) {
             languages.pass(line);
         }
@@ -409,13 +409,10 @@ struct Languages {
     now: u32,
 }
 
-impl Default for Languages {
-    fn default() -> Self {
-        Self { last: 1, now: 1 }
-    }
-}
-
 impl Languages {
+    /// Before the first line.
+    const START: Self = Self { last: 1, now: 1 };
+
     /// The line, if it has a class.
     fn pass<'t>(&mut self, line: Line<'t>) -> Option<Line<'t>> {
         if line.name != LANGUAGE {
@@ -430,12 +427,6 @@ impl Languages {
 
 /// A set of words that may have others as well.
 struct Marks([u32; 64]);
-
-impl Default for Marks {
-    fn default() -> Self {
-        Self([0; 64])
-    }
-}
 
 impl Marks {
     /// The place of a word's mark, and its bit.

@@ -165,13 +165,24 @@ impl Homes {
 /// The most free cells of a home for [`is_solvable`]: one bit each.
 pub const CELLS: usize = 64;
 
-/// Reached places of the agent and of one block: a row for each place of the block, a bit for each place of the agent.
-#[derive(Clone, Copy)]
-struct Reached([u64; CELLS]);
+/// Reached places of the agent and of one block, and those not handled yet: a row for each place of the block, a bit for each place of the
+/// agent.
+struct Reached([[u64; 2]; CELLS]);
 
 impl Reached {
-    fn row(&mut self, block: usize) -> Option<&mut u64> {
-        self.0.get_mut(block)
+    fn add(&mut self, (block, agent): (usize, usize)) {
+        if let Some([reached, open]) = self.0.get_mut(block) {
+            let new = 1_u64.checked_shl(agent as u32).unwrap_or(0) & !*reached;
+            (*reached, *open) = (*reached | new, *open | new);
+        }
+    }
+
+    /// Takes a place that is not handled yet.
+    fn take(&mut self) -> Option<(usize, usize)> {
+        let (block, [_, open]) = self.0.iter_mut().enumerate().find(|(_, [_, open])| *open != 0)?;
+        let agent = open.trailing_zeros() as usize;
+        *open &= open.wrapping_sub(1);
+        Some((block, agent))
     }
 }
 
@@ -199,39 +210,20 @@ pub fn is_solvable(home: &Home<impl HomeMemory>, start: &HomeState, intention: &
     let moving = if goal.proposition == BLOCK_IN_ROOM { home.piece_of(&goal) } else { None };
     let cell = |state: &HomeState, piece: Piece| home.cell(state, piece).index();
     let place = |state: &HomeState| (moving.map_or(0, |piece| cell(state, piece)), cell(state, Piece::ROBOT));
-    let (mut reached, mut done) = (Reached([0; CELLS]), Reached([0; CELLS]));
-    let mark = |reached: &mut Reached, (block, agent): (usize, usize)| {
-        if let Some(row) = reached.row(block) {
-            *row |= 1_u64.checked_shl(agent as u32).unwrap_or(0);
-        }
-    };
-    mark(&mut reached, place(start));
-    // Each pass handles at least one new place, and there are finitely many.
-    for _ in 0..CELLS * CELLS {
-        let mut fresh = false;
-        for block in 0..home.places().len() {
-            let open = reached.row(block).map_or(0, |row| *row) & !done.row(block).map_or(0, |row| *row);
-            for agent in (0..CELLS).filter(|&agent| open >> agent & 1 == 1) {
-                fresh = true;
-                mark(&mut done, (block, agent));
-                let at = home.put(start, Piece::ROBOT, CellId::new(agent as u16));
-                let at = moving.map_or(at, |piece| home.put(&at, piece, CellId::new(block as u16)));
-                for action in 0..home.actions().len() {
-                    let Some(next) = home.step(&at, Action::new(action as u8)) else { continue };
-                    let mut others = (1..home.pieces()).map(|piece| Piece::new(piece as u8)).filter(|&piece| Some(piece) != moving);
-                    let others_stay = others.all(|piece| home.cell(&next, piece) == home.cell(start, piece));
-                    if !others_stay {
-                        continue;
-                    }
-                    if home.holds(&goal, &next) {
-                        return true;
-                    }
-                    mark(&mut reached, place(&next));
+    let mut reached = Reached([[0; 2]; CELLS]);
+    reached.add(place(start));
+    while let Some((block, agent)) = reached.take() {
+        let at = home.put(start, Piece::ROBOT, CellId::new(agent as u16));
+        let at = moving.map_or(at, |piece| home.put(&at, piece, CellId::new(block as u16)));
+        for action in 0..home.actions().len() {
+            let Some(next) = home.step(&at, Action::new(action as u8)) else { continue };
+            let mut others = (1..home.pieces()).map(|piece| Piece::new(piece as u8)).filter(|&piece| Some(piece) != moving);
+            if others.all(|piece| home.cell(&next, piece) == home.cell(start, piece)) {
+                if home.holds(&goal, &next) {
+                    return true;
                 }
+                reached.add(place(&next));
             }
-        }
-        if !fresh {
-            return false;
         }
     }
     false

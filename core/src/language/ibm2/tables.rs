@@ -61,9 +61,7 @@ impl Tables<'_> {
         let pair = LengthPair { machine: machine as u8, english: english as u8, start: start as u32, trained: false, weight: 0.0 };
         let end = start.saturating_add(pair.cells());
         let room = self.memory.alignments.len();
-        if end > room {
-            return Err(CapacityError::new(Capacity::Alignments, room, end));
-        }
+        Capacity::Alignments.fits(end, room)?;
         let limit = self.memory.length_pairs.len();
         let Some(slot) = self.memory.length_pairs.get_mut(self.trained.wanted.length_pairs) else {
             return Err(CapacityError::full(Capacity::LengthPairs, limit));

@@ -24,9 +24,7 @@ impl CommandIndex {
     /// # Errors
     /// A [`CapacityError`]; the pair is then not added.
     pub fn add_pair(&mut self, data: &mut Bitext<'_>, tokens: &[Symbol], weight: f32) -> Result<(), CapacityError> {
-        if tokens.len() > TOKENS_PER_COMMAND {
-            return Err(CapacityError::new(Capacity::TokensPerCommand, TOKENS_PER_COMMAND, tokens.len()));
-        }
+        Capacity::TokensPerCommand.fits(tokens.len(), TOKENS_PER_COMMAND)?;
         let hash = hash(tokens);
         let mut alike = self.commands.range((hash, 0)..=(hash, u16::MAX)).map(|&(_, command)| command);
         let command = match alike.find(|&command| data.read().command(command) == tokens) {

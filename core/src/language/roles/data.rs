@@ -11,7 +11,7 @@ impl Tables<'_> {
     pub(in crate::language) fn fits(&self, layout: &Layout) -> Result<(), CapacityError> {
         self.fits_rows(layout.tokens(), layout.words())?;
         let (room, cells) = (self.memory.alignments.len(), layout.cells());
-        if cells > room { Err(CapacityError::new(Capacity::Alignments, room, cells)) } else { Ok(()) }
+        Capacity::Alignments.fits(cells, room)
     }
 
     /// Extends the layout by a description and a command of `length` words, in vocabularies of this many words and machine tokens.

@@ -7,7 +7,7 @@ use super::forward::{Reader, Roles, Scratch};
 use super::layout::{Layout, cell, get, get_mut};
 use super::training::{Listener, Pass, WordRead, read_on, row_of};
 use crate::capacity::WORDS_PER_COMMAND;
-use crate::symbols::Symbol;
+use crate::symbols::{Symbol, listed};
 use crate::task::role::Role;
 use heapless::Vec;
 
@@ -24,12 +24,7 @@ pub enum Meaning {
 
 /// The words of a command; one that training has not seen is V.
 pub(crate) fn heard(layout: &Layout, sentence: &[Option<Symbol>]) -> Vec<Symbol, WORDS_PER_COMMAND> {
-    let mut words = Vec::new();
-    for word in super::forward::heard(layout, sentence) {
-        // A command has no more; `collect` could panic.
-        let _ = words.push(Symbol(word as u16));
-    }
-    words
+    listed(super::forward::heard(layout, sentence).map(|word| Symbol(word as u16)))
 }
 
 /// A command that is read to be explained.

@@ -14,7 +14,7 @@ use crate::capacity::{LIFTED_TASKS, WORDS_PER_COMMAND};
 use crate::language::bitext::BitextRef;
 use crate::language::tables::{Cells, TablesRef};
 use crate::probability::{Scaled, exp, square_root, total};
-use crate::symbols::Symbol;
+use crate::symbols::{Symbol, listed};
 use crate::task::description::form;
 use heapless::Vec;
 
@@ -112,8 +112,7 @@ pub fn weigh(tables: TablesRef<'_>, sentence: &[Option<Symbol>], form: impl Fn(u
     if layout.words() == 0 {
         return;
     }
-    let known: Vec<Symbol, WORDS_PER_COMMAND> =
-        sentence.iter().copied().flatten().filter(|word| word.index() < layout.words()).take(WORDS_PER_COMMAND).collect();
+    let known: Vec<Symbol, WORDS_PER_COMMAND> = listed(sentence.iter().copied().flatten().filter(|word| word.index() < layout.words()));
     let kinds = Kinds::of(layout, tables.cells().1, &known, sentence.len().saturating_sub(known.len()));
     for first in 0..count {
         let token = form(first);

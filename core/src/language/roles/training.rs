@@ -167,13 +167,8 @@ impl Work<'_, '_> {
             }
             get_mut(self.a.values, layout.end(form)).fill(END);
         }
-        for role in 0..layout.roles().len() {
-            get_mut(self.a.values, layout.lambda(role)).fill(1.0);
-        }
-        for form in 0..layout.forms().len() {
-            get_mut(self.a.values, layout.naming(form)).fill(1.0);
-        }
-        get_mut(self.a.values, layout.novelty(0)..layout.trellis_start()).fill(1.0);
+        // Lambda, naming and novelty follow each other.
+        get_mut(self.a.values, layout.lambda(0).start..layout.trellis_start()).fill(1.0);
     }
 
     fn prior(&self) -> Moves {

@@ -18,7 +18,7 @@ use crate::session::least::{Lessons, Survey};
 #[cfg(feature = "ways")]
 use crate::session::phase::Progressed;
 use crate::session::phase::{Phase, Position};
-use crate::symbols::Symbol;
+use crate::symbols::{Symbol, listed};
 use crate::task::description::{Scene, describe, form_token, groups};
 use crate::task::machine_command::Tokens;
 use heapless::Vec;
@@ -220,13 +220,9 @@ impl<M: AgentMemory> Agent<M> {
     pub(super) fn weigh_kinds_of_descriptions<D: Domain>(&mut self, domain: &D) {
         let AgentTables { language, session, workspace } = self.memory.lend();
         let mut language = self.language.called_with(language, workspace);
-        let mut forms: Vec<Symbol, LIFTED_TASKS> = Vec::new();
-        for lifted in &self.lifted {
-            // The tokens of this session's tasks are interned already. A kind of task that is impossible here does not need its token.
-            let form = form_token(&domain.world().schema, lifted, language.tokens_mut()).unwrap_or(Symbol(0));
-            // There is one for each lifted task, so it fits.
-            let _ = forms.push(form);
-        }
+        // The tokens of this session's tasks are interned already. A kind of task that is impossible here does not need its token.
+        let form = |lifted| form_token(&domain.world().schema, lifted, language.tokens_mut()).unwrap_or(Symbol(0));
+        let forms: Vec<Symbol, LIFTED_TASKS> = listed(self.lifted.iter().map(form));
         let tasks = session.tasks.get(..self.task_count).unwrap_or(&[]);
         let form = |task: usize| {
             let lifted = tasks.get(task).map_or(0, |task| usize::from(task.lifted));
@@ -347,14 +343,14 @@ impl<M: AgentMemory> Agent<M> {
             return Err(AgentError::NotNow(Phase::Idle));
         }
         let AgentTables { language, session, workspace } = self.memory.lend();
-        let mut language = self.language.with(language, workspace);
+        let language = self.language.with(language, workspace);
         if language.model() != Model::Roles || language.read().tables().words() == 0 || language.read().is_training() {
             return Ok(None);
         }
         let candidates = Candidates::new(session.candidates, &mut self.candidates).into_read();
         let entry = candidates.of_task(task).filter(|_| task < self.task_count).and_then(|found| candidates.entries().get(found));
         Ok(entry.map(|entry| {
-            language.begin_explaining(task);
+            language.training.begin_explaining(task);
             (language, &*self.sentence, candidates.tokens(entry))
         }))
     }
