@@ -104,7 +104,7 @@ pub struct StudyOptions {
     #[arg(long, short = 'n', value_name = "N", default_value = "100", value_parser = between(1_u32, 100_000))]
     pub runs: u32,
     /// The first seed: the same seed gives the same run everywhere
-    #[arg(long, short = 's', value_name = "S", default_value = "1", value_parser = goodbot_console::typed::seed)]
+    #[arg(long, short = 's', value_name = "S", default_value = "1", value_parser = between(0, u64::MAX))]
     pub seed: u64,
     /// Fit trainers to session logs, and compare simulated trainers with them
     #[arg(long, value_name = "LOG", num_args = 1.., value_hint = ValueHint::FilePath, conflicts_with_all = ["csv", "json", "tables", "plot"])]
