@@ -212,22 +212,13 @@ pub fn run(options: &StudyOptions) -> Result<(), Failure> {
     if options.tables {
         write!(out, "{}", report::tables(&plan, &runs, &rows))?;
     } else if options.json {
-        lines(&mut out, &plan, &runs)?;
-        for row in &rows {
-            writeln!(out, "{}", row.to_json())?;
-        }
+        writeln!(out, "{}", summary::plan_to_json(&plan))?;
+        runs.iter().try_for_each(|run| writeln!(out, "{}", summary::run_to_json(&plan, run)))?;
+        rows.iter().try_for_each(|row| writeln!(out, "{}", row.to_json()))?;
     } else if options.csv {
         summary::csv(&mut out, &plan, &rows)?;
     } else {
         summary::print(&mut out, &plan, &rows)?;
     }
     Ok(out.flush()?)
-}
-
-fn lines(out: &mut impl Write, plan: &Plan, runs: &[Run]) -> Result<(), Failure> {
-    writeln!(out, "{}", summary::plan_to_json(plan))?;
-    for run in runs {
-        writeln!(out, "{}", summary::run_to_json(plan, run))?;
-    }
-    Ok(())
 }
