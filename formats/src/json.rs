@@ -6,7 +6,7 @@
 
 mod scan;
 
-use crate::error::{EMPTY, FormatError, KNOWN_VERSIONS, excerpt, no_probability, not_json, quoted};
+use crate::error::{EMPTY, FormatError, KNOWN_VERSIONS, excerpt, no_probability, not_json, quoted, twice};
 use crate::task_text::TaskTextError;
 use scan::{JsonFault, Member};
 use std::str::FromStr;
@@ -132,6 +132,17 @@ impl<'a> Node<'a> {
             true => Err(self.error(EMPTY)),
             false => Ok(list),
         }
+    }
+
+    /// The items of a filled list, each once.
+    pub(crate) fn each_once<T: ToString>(&self, read: impl Fn(&Node<'a>) -> Result<T, FormatError>) -> Result<Vec<T>, FormatError> {
+        let mut seen = Vec::new();
+        let each = |item: Node<'a>| {
+            let read = read(&item)?;
+            let text = read.to_string();
+            if insert(&mut seen, text.clone()) { Ok(read) } else { Err(item.error(twice(&text))) }
+        };
+        self.filled_list()?.into_iter().map(each).collect()
     }
 
     /// The position of a word in the list of allowed words.

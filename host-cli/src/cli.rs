@@ -141,27 +141,19 @@ const ITSELF: [&str; 4] = ["doctor", "completions", "man", "help"];
 
 /// The command line, with help in groups. Commands in no list belong to the laboratory.
 pub fn arguments() -> clap::Command {
-    let everyday = group(|name| EVERYDAY.contains(&name));
-    let boards = group(|name| BOARDS.contains(&name));
-    let laboratory = group(|name| !EVERYDAY.contains(&name) && !BOARDS.contains(&name) && !ITSELF.contains(&name));
-    let itself = group(|name| ITSELF.contains(&name));
     let cli = Cli::command();
-    let heading = |text: &str| {
-        let style = cli.get_styles().get_header();
-        format!("{style}{text}:{style:#}")
-    };
-    let template = format!(
-        "{{about-with-newline}}\n{{usage-heading}} {{usage}}\n\n{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}\n{{options}}{{after-help}}",
-        heading("Commands"),
-        everyday.ansi(),
-        heading("For controllers"),
-        boards.ansi(),
-        heading("The laboratory"),
-        laboratory.ansi(),
-        heading("This program"),
-        itself.ansi(),
-        heading("Options"),
-    );
+    let style = cli.get_styles().get_header();
+    let headed = |heading: &str, has: &dyn Fn(&str) -> bool| format!("{style}{heading}:{style:#}\n{}\n", group(has).ansi());
+    let is_of_laboratory = |name: &str| !EVERYDAY.contains(&name) && !BOARDS.contains(&name) && !ITSELF.contains(&name);
+    let groups = [
+        headed("Commands", &|name| EVERYDAY.contains(&name)),
+        headed("For controllers", &|name| BOARDS.contains(&name)),
+        headed("The laboratory", &is_of_laboratory),
+        headed("This program", &|name| ITSELF.contains(&name)),
+    ]
+    .concat();
+    let template =
+        format!("{{about-with-newline}}\n{{usage-heading}} {{usage}}\n\n{groups}{style}Options:{style:#}\n{{options}}{{after-help}}");
     // The options of `goodbot paper` work here too; its own help lists them.
     let of_all_commands = cli.mut_args(|arg| if arg.is_global_set() { arg } else { arg.hide(true) });
     take_negative_numbers(of_all_commands.help_template(template))

@@ -46,45 +46,37 @@ Example:
 pub fn run(options: &MergeArgs) -> Result<(), Failure> {
     let target = Output::new(Kind::Model, &options.out, [&options.first, &options.second], options.force)?;
     let (first, second) = (read_model(&options.first)?, read_model(&options.second)?);
-    let refused = |path: &Path, error: RestoreError| Failure::Input(format!("{}: {error}", path.display()));
-    let contents = |path, bytes| Contents::read(bytes).map_err(|error| refused(path, error));
+    let contents = |path, bytes| Contents::read(bytes).map_err(|error| Failure::of(path, error));
     let (ours, theirs) = (contents(&options.first, &first)?, contents(&options.second, &second)?);
     if ours.vocabulary != 0 && theirs.vocabulary != 0 && ours.vocabulary != theirs.vocabulary {
-        return Err(refused(&options.second, RestoreError::OtherDomain));
+        return Err(Failure::of(&options.second, RestoreError::OtherDomain));
     }
     let memory = typed::memory(&room_for(&ours, &theirs), &ours.options.language, ours.possible.len() + theirs.possible.len());
     let mut agent = Agent::new(memory, &[], Options::PAPER)?;
-    agent.restore(&first).map_err(|error| refused(&options.first, error))?;
-    let added = agent.join(&second).map_err(|error| refused(&options.second, error))?;
+    agent.restore(&first).map_err(|error| Failure::of(&options.first, error))?;
+    let added = agent.join(&second).map_err(|error| Failure::of(&options.second, error))?;
     // The belief about the trainer has nothing to do with how words were learned.
     let learns = |options: &Options| (options.language, options.weights, options.least_weight);
     if learns(&ours.options) != learns(&theirs.options) {
         say!("{}: trained with other settings; those of {} stay", options.second.display(), options.first.display());
     }
     let model = agent.saved_for(if ours.vocabulary == 0 { theirs.vocabulary } else { ours.vocabulary })?;
-    target.write(&match kinds(&options.first, &first, &options.second, &second)? {
-        Some(kinds) => with_kinds(model, &kinds),
-        None => model,
-    })?;
+    target.write(&with_kinds(model, &kinds([(&options.first, &first), (&options.second, &second)])?))?;
     let (words, sessions) = (agent.language().words().len(), agent.language().bitext().sessions());
     say!("{}: {}, {added} of them added; {}", target.name(), counted(sessions, "session"), counted(words, "word"));
     Ok(())
 }
 
-/// The kinds of task of both models; `None` if neither keeps any.
-fn kinds(first: &Path, ours: &[u8], second: &Path, theirs: &[u8]) -> Result<Option<Vec<LiftedTask>>, Failure> {
-    let both = match (kept(first, ours)?, kept(second, theirs)?) {
-        (None, None) => return Ok(None),
-        // A model without kinds has the paper's two.
-        (ours, theirs) => [ours, theirs].map(|kinds| kinds.map_or_else(|| paper_tasks().map(|paper| paper.to_vec()), Ok)),
-    };
+/// The kinds of task of both models. A model without kinds has the paper's two.
+fn kinds(models: [(&Path, &[u8]); 2]) -> Result<Vec<LiftedTask>, Failure> {
     let mut all: Vec<LiftedTask> = Vec::new();
-    for kind in both.into_iter().flatten().flatten() {
-        if !all.contains(&kind) {
-            all.push(kind);
-        }
+    for (file, model) in models {
+        let kinds = kept(file, model)?.map_or_else(|| paper_tasks().map(Vec::from), Ok)?;
+        let new: Vec<LiftedTask> = kinds.into_iter().filter(|kind| !all.contains(kind)).collect();
+        all.extend(new);
     }
     if all.len() > LIFTED_TASKS {
+        let [(first, _), (second, _)] = models;
         return Err(Failure::Input(format!(
             "{} and {}: have {} kinds of task together, and {LIFTED_TASKS} are the most; learn one model from the sessions of both",
             first.display(),
@@ -92,7 +84,7 @@ fn kinds(first: &Path, ours: &[u8], second: &Path, theirs: &[u8]) -> Result<Opti
             all.len()
         )));
     }
-    Ok(Some(all))
+    Ok(all)
 }
 
 /// Room for the tables of both models, and at least the standard capacities.

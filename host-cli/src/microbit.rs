@@ -65,9 +65,9 @@ pub fn run(options: &MicrobitOptions) -> Result<(), Failure> {
     let inputs = [&options.hex, &options.model].map(PathBuf::as_path).into_iter().chain(options.home.as_ref().map(AsRef::as_ref));
     let target = Output::new(Kind::Microbit, &options.out, inputs, options.force)?;
     let mut file =
-        MicrobitFile::parse(&read_text(&options.hex)?).map_err(|error| refused(&options.hex, &format!("{error}; {HOW_TO_GET_IT}")))?;
+        MicrobitFile::parse(&read_text(&options.hex)?).map_err(|error| Failure::of(&options.hex, format!("{error}; {HOW_TO_GET_IT}")))?;
     let (slots, sessions) = slots(&options.model)?;
-    file.put_slots(&slots).map_err(|error| refused(&options.model, &error))?;
+    file.put_slots(&slots).map_err(|error| Failure::of(&options.model, error))?;
     if let Some(command) = options.command.iter().find(|command| command.trim().is_empty() || command.contains(char::is_control)) {
         return Err(Failure::Input(format!("{command:?} is no command; say what to do, on one line")));
     }
@@ -80,18 +80,14 @@ pub fn run(options: &MicrobitOptions) -> Result<(), Failure> {
     Ok(())
 }
 
-fn refused(path: &Path, error: &dyn std::fmt::Display) -> Failure {
-    Failure::Input(format!("{}: {error}", path.display()))
-}
-
 fn read_text(path: &Path) -> Result<String, Failure> {
     let mut text = String::new();
     let read = File::open(path).and_then(|file| file.take(MOST_BYTES).read_to_string(&mut text));
     match read.map_err(|error| (error.kind(), error)) {
         Ok(_) => Ok(text),
-        Err((ErrorKind::NotFound, _)) => Err(refused(path, &format!("is not there; {HOW_TO_GET_IT}"))),
-        Err((ErrorKind::InvalidData, _)) => Err(refused(path, &format!("is no micro:bit program; {HOW_TO_GET_IT}"))),
-        Err((_, error)) => Err(refused(path, &format!("cannot be read ({error}); check its name and that you may read it"))),
+        Err((ErrorKind::NotFound, _)) => Err(Failure::of(path, format!("is not there; {HOW_TO_GET_IT}"))),
+        Err((ErrorKind::InvalidData, _)) => Err(Failure::of(path, format!("is no micro:bit program; {HOW_TO_GET_IT}"))),
+        Err((_, error)) => Err(Failure::of(path, format!("cannot be read ({error}); check its name and that you may read it"))),
     }
 }
 
@@ -114,12 +110,12 @@ fn slots(path: &Path) -> Result<(Vec<u8>, usize), Failure> {
         let message = format!(
             "was learned for the kinds of task {theirs}, and a micro:bit has {own} alone; learn a model without --task and --routes"
         );
-        return Err(refused(path, &message));
+        return Err(Failure::of(path, message));
     }
     let mut model = model_alone(&file).to_vec();
-    let contents = Contents::read(&model).map_err(|error| refused(path, &error))?;
+    let contents = Contents::read(&model).map_err(|error| Failure::of(path, error))?;
     if contents.options.language.model != Model::Roles {
-        return Err(refused(path, &"was learned as in the paper, and the micro:bit has the role model alone"));
+        return Err(Failure::of(path, "was learned as in the paper, and the micro:bit has the role model alone"));
     }
     let tasks = paper_tasks()?;
     let mut agent = Agent::new(AgentHeap::new(&CAPACITIES), &tasks, Options::DEFAULT)?;
@@ -127,16 +123,16 @@ fn slots(path: &Path) -> Result<(Vec<u8>, usize), Failure> {
     if contents.strategies.len() > 1 || is_layered {
         let room = room_for(&contents);
         let mut learned = Agent::new(AgentHeap::new(&room), &tasks, Options::DEFAULT)?;
-        learned.restore(&model).map_err(|error| refused(path, &error))?;
+        learned.restore(&model).map_err(|error| Failure::of(path, error))?;
         if contents.strategies.len() > 1 {
             // The board's robot expects the paper's trainer.
-            learned.set_strategies(&[(Strategy::BALANCED, 1.0)]).map_err(|error| refused(path, &error))?;
+            learned.set_strategies(&[(Strategy::BALANCED, 1.0)]).map_err(|error| Failure::of(path, error))?;
         }
         // Neither this memory nor the board has the layer, so only the role model is saved.
-        model = learned.saved().map_err(|error| refused(path, &error))?;
+        model = learned.saved().map_err(|error| Failure::of(path, error))?;
     }
-    agent.restore(&model).map_err(|error| refused(path, &format!("on a micro:bit: {}", error.in_words())))?;
-    let small = |error| refused(path, &format!("on a micro:bit: {error}; teach it fewer lessons and words"));
+    agent.restore(&model).map_err(|error| Failure::of(path, format!("on a micro:bit: {}", error.in_words())))?;
+    let small = |error| Failure::of(path, format!("on a micro:bit: {error}; teach it fewer lessons and words"));
     let mut flash = Flash(vec![0xff; 2 * SLOT_BYTES as usize]);
     TwoSlots::new(&mut flash, 0, SLOT_BYTES).and_then(|mut slots| slots.store(&model)).map_err(small)?;
     Ok((flash.0, agent.language().bitext().sessions()))

@@ -55,7 +55,7 @@ pub fn run(args: &MigrateArgs) -> Result<(), Failure> {
     for name in &lost {
         say!("{}: {name} is not in {}; --rename says its new name", target.name(), input::name(&args.to));
     }
-    let contents = Contents::read(&model).map_err(|error| refused(args, &error))?;
+    let contents = Contents::read(&model).map_err(|error| Failure::of(&args.model, error))?;
     let (mut file, vocabulary) = (model.clone(), contents.vocabulary);
     if !sessions.is_empty() {
         let mut agent = restored::agent_of(&args.model, &model)?;
@@ -72,14 +72,9 @@ pub fn run(args: &MigrateArgs) -> Result<(), Failure> {
     Ok(())
 }
 
-fn refused(args: &MigrateArgs, error: &dyn std::fmt::Display) -> Failure {
-    Failure::Input(format!("{}: {error}", args.model.display()))
-}
-
 /// Runs something with the robot of a world file.
 fn in_world<R>(world: &InputFile, run: impl FnOnce(&Robot<'_>) -> R) -> Result<R, Failure> {
-    let name = input::name(world);
-    let file = input::world(world)?.ok_or_else(|| Failure::Input(format!("{name}: is no world; goodbot example world prints one")))?;
+    let file = input::world(world)?;
     robot::with(&file.world, |robot, _| run(robot)).map_err(|flaw: WorldFlaw| file.fault(&flaw.field, &flaw.message).into())
 }
 
@@ -90,5 +85,5 @@ fn migrated(args: &MigrateArgs, old: &Robot<'_>, new: &Robot<'_>, bytes: &[u8]) 
     let [before, after] = [kinds(old, input::name(&args.from))?, kinds(new, input::name(&args.to))?];
     let renamed: Vec<(&str, &str)> = args.rename.iter().map(|(old, new)| (old.as_str(), new.as_str())).collect();
     let [from, to] = [old, new].map(|robot| robot.world().schema);
-    Migration { from, to, kinds: [&before, &after], renamed: &renamed }.of(bytes).map_err(|error| refused(args, &error))
+    Migration { from, to, kinds: [&before, &after], renamed: &renamed }.of(bytes).map_err(|error| Failure::of(&args.model, error))
 }

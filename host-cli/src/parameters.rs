@@ -8,7 +8,7 @@ use goodbot::snapshot::{Contents, SaveError};
 use goodbot::{Capacities, capacity::Capacity};
 use goodbot_console::output::PARAMETERS_IN_C;
 use goodbot_console::{Failure, Kind, Output, counted, read_model, say};
-use std::fmt::{Display, Write};
+use std::fmt::Write;
 use std::path::PathBuf;
 
 /// Write the parameters of a model alone, for a robot that only obeys
@@ -42,14 +42,13 @@ Examples:
 /// # Errors
 /// [`Failure`] names the file and its fault.
 pub fn run(options: &ParametersArgs) -> Result<(), Failure> {
-    let refused = |error: &dyn Display| Failure::Input(format!("{}: {error}", options.model.display()));
     let target = Output::new(Kind::Parameters, &options.out, [&options.model], options.force)?;
     let bytes = read_model(&options.model)?;
-    let contents = Contents::read(&bytes).map_err(|error| refused(&error))?;
+    let contents = Contents::read(&bytes).map_err(|error| Failure::of(&options.model, error))?;
     let needs = contents.needs();
     let memory = AgentHeap::new(&Capacities { states: 0, hashed_states: 0, ..needs });
-    let mut model = LanguageModel::new(memory, Settings::DEFAULT).map_err(|error| refused(&error))?;
-    model.restore(&bytes).map_err(|error| refused(&error))?;
+    let mut model = LanguageModel::new(memory, Settings::DEFAULT).map_err(|error| Failure::of(&options.model, error))?;
+    model.restore(&bytes).map_err(|error| Failure::of(&options.model, error))?;
     while model.lend().train(u32::MAX) == Progress::Working {}
     let mut file = Vec::new();
     let length = match model.read().save_parameters(contents.vocabulary, &mut file) {
@@ -59,7 +58,7 @@ pub fn run(options: &ParametersArgs) -> Result<(), Failure> {
         }
         other => other,
     };
-    let length = length.map_err(|error| refused(&error))?;
+    let length = length.map_err(|error| Failure::of(&options.model, error))?;
     target.write(&if options.c { in_c(&file).into_bytes() } else { file })?;
     let rooms = [Capacity::Words, Capacity::Tokens, Capacity::Translations, Capacity::Alignments];
     let rooms = rooms.map(|room| format!("{} {}", room.name(), needs.get(room))).join(", ");

@@ -45,7 +45,7 @@ pub fn run(args: &UnlearnArgs) -> Result<(), Failure> {
     let at = number(&args.model, &args.session, commands.len())?;
     let command = commands.get(at).cloned().unwrap_or_default();
     if !u16::try_from(at).is_ok_and(|at| agent.unlearn(at)) {
-        return Err(Failure::Input(format!("{}: has no session {}", args.model.display(), at + 1)));
+        return Err(Failure::of(&args.model, format_args!("has no session {}", at + 1)));
     }
     restored::learn_fully(&mut agent);
     let model = agent.saved_for(vocabulary)?;
@@ -59,12 +59,10 @@ pub fn run(args: &UnlearnArgs) -> Result<(), Failure> {
 
 /// The position of a session with this number.
 fn number(model: &Path, text: &str, count: usize) -> Result<usize, Failure> {
-    let number = text.parse::<usize>().ok().filter(|number| (1..=count).contains(number));
-    number.map(|number| number - 1).ok_or_else(|| {
-        let what = match text.parse::<usize>() {
-            Ok(_) => format!("has {}", counted(count, "session")),
-            Err(_) => format!("{text:?} is no number"),
-        };
-        Failure::Input(format!("{}: {what}; goodbot inspect --sessions numbers them", model.display()))
-    })
+    let what = match text.parse::<usize>() {
+        Ok(number) if (1..=count).contains(&number) => return Ok(number - 1),
+        Ok(_) => format!("has {}", counted(count, "session")),
+        Err(_) => format!("{text:?} is no number"),
+    };
+    Err(Failure::of(model, format_args!("{what}; goodbot inspect --sessions numbers them")))
 }

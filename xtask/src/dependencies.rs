@@ -1,40 +1,31 @@
 //! The crates that the project depends on. docs/appendix/dependencies.md must give the reason for each.
 
-use std::collections::{BTreeMap, BTreeSet};
-
-use anyhow::{Context, Result};
-use serde_json::Value;
-use xshell::cmd;
-
-use crate::process::shell;
-
-/// The manifests of all workspaces.
-const MANIFESTS: [&str; 3] = ["Cargo.toml", "tests/fuzz/Cargo.toml", "firmware/Cargo.toml"];
-
-/// Every direct dependency outside the project, with the crates that depend on it.
-fn direct() -> Result<BTreeMap<String, BTreeSet<String>>> {
-    let sh = shell()?;
-    let (mut own, mut direct) = (BTreeSet::new(), BTreeMap::<String, BTreeSet<String>>::new());
-    for manifest in MANIFESTS {
-        let metadata = cmd!(sh, "cargo metadata --offline --no-deps --format-version 1 --manifest-path {manifest}").quiet().read()?;
-        let metadata: Value = serde_json::from_str(&metadata)?;
-        for package in metadata["packages"].as_array().context("cargo tells packages")? {
-            let name = package["name"].as_str().unwrap_or_default();
-            own.insert(name.to_owned());
-            for dependency in package["dependencies"].as_array().into_iter().flatten() {
-                let dependency = dependency["name"].as_str().unwrap_or_default();
-                direct.entry(dependency.to_owned()).or_default().insert(name.to_owned());
-            }
-        }
-    }
-    direct.retain(|name, _| !own.contains(name));
-    Ok(direct)
-}
-
 #[cfg(test)]
 mod tests {
-    use super::*;
-    use crate::process::root;
+    use crate::process::{packages, root, shell};
+    use anyhow::Result;
+    use std::collections::{BTreeMap, BTreeSet};
+
+    /// The manifests of all workspaces.
+    const MANIFESTS: [&str; 3] = ["Cargo.toml", "tests/fuzz/Cargo.toml", "firmware/Cargo.toml"];
+
+    /// Every direct dependency outside the project, with the crates that depend on it.
+    fn direct() -> Result<BTreeMap<String, BTreeSet<String>>> {
+        let sh = shell()?;
+        let (mut own, mut direct) = (BTreeSet::new(), BTreeMap::<String, BTreeSet<String>>::new());
+        for manifest in MANIFESTS {
+            for package in packages(&sh, manifest)? {
+                let name = package["name"].as_str().unwrap_or_default();
+                own.insert(name.to_owned());
+                for dependency in package["dependencies"].as_array().into_iter().flatten() {
+                    let dependency = dependency["name"].as_str().unwrap_or_default();
+                    direct.entry(dependency.to_owned()).or_default().insert(name.to_owned());
+                }
+            }
+        }
+        direct.retain(|name, _| !own.contains(name));
+        Ok(direct)
+    }
 
     #[test]
     fn each_direct_dependency_has_its_reason_and_no_reason_is_left_over() {

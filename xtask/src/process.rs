@@ -7,8 +7,9 @@ use std::time::Duration;
 
 use anyhow::{Context, Result, bail};
 use clap::ValueEnum;
+use serde_json::Value;
 use wait_timeout::ChildExt;
-use xshell::{Cmd, Shell};
+use xshell::{Cmd, Shell, cmd};
 
 /// The project's top folder.
 pub fn root() -> &'static Path {
@@ -32,6 +33,13 @@ pub fn shell() -> Result<Shell> {
         sh.change_dir(root());
     }
     Ok(sh)
+}
+
+/// The crates of a workspace, as cargo tells them.
+pub fn packages(sh: &Shell, manifest: &str) -> Result<Vec<Value>> {
+    let metadata = cmd!(sh, "cargo metadata --offline --no-deps --format-version 1 --manifest-path {manifest}").quiet().read()?;
+    let metadata: Value = serde_json::from_str(&metadata)?;
+    Ok(metadata["packages"].as_array().context("cargo tells packages")?.clone())
 }
 
 /// Runs a program, stops it after `limit`, and returns its exit code and standard output. The output must fit into a pipe, so it may have
@@ -64,8 +72,6 @@ pub fn described(value: impl ValueEnum) -> (String, String) {
 
 #[cfg(test)]
 mod tests {
-    use xshell::cmd;
-
     use super::*;
 
     #[test]

@@ -157,7 +157,7 @@ impl SessionHeader {
             before: fields.optional("before").map(lists).transpose()?,
             through: fields.optional("through").map(lists).transpose()?,
             avoiding: fields.optional("avoiding").map(propositions).transpose()?,
-            actions: fields.optional("actions").map(actions).transpose()?,
+            actions: fields.optional("actions").map(|actions| actions.each_once(Node::filled_text)).transpose()?,
             continues: match fields.optional("continues") {
                 Some(continues) => continues.truth()?,
                 None => false,
@@ -169,30 +169,24 @@ impl SessionHeader {
             conversation: fields.optional("conversation").map(texts).transpose()?,
             closed_words: fields.optional("closed_words").map(|table| table.text()).transpose()?,
         };
+        let refuse = |names: &[&str], problem: &str| match names.iter().find(|name| fields.optional(name).is_some()) {
+            Some(name) => Err(fields.error(name, problem)),
+            None => Ok(()),
+        };
         if header.utterance.is_some() {
-            for name in ["prior", "continues"] {
-                if fields.optional(name).is_some() {
-                    return Err(fields.error(name, "does not belong where the robot listened; remove it, or remove \"utterance\""));
-                }
-            }
-        } else if let Some(name) = ["after", "conversation"].into_iter().find(|name| fields.optional(name).is_some()) {
-            return Err(fields.error(name, "belongs where the robot listened; write \"utterance\" too, or remove it"));
+            refuse(&["prior", "continues"], "does not belong where the robot listened; remove it, or remove \"utterance\"")?;
+        } else {
+            refuse(&["after", "conversation"], "belongs where the robot listened; write \"utterance\" too, or remove it")?;
         }
         if header.continues {
-            for name in ["prior", "strategies"] {
-                if fields.optional(name).is_some() {
-                    return Err(fields
-                        .error(name, "does not belong in a session that continues the one before; remove it, or remove \"continues\""));
-                }
-            }
+            let problem = "does not belong in a session that continues the one before; remove it, or remove \"continues\"";
+            refuse(&["prior", "strategies"], problem)?;
         }
         if header.kind == Kind::Labelled {
             fields.required("intended")?;
         }
-        for name in ["before", "through", "avoiding"] {
-            if fields.optional(name).is_some() && header.intended.is_none() {
-                return Err(fields.error(name, "belongs to an intended task; write \"intended\" too, or remove it"));
-            }
+        if header.intended.is_none() {
+            refuse(&["before", "through", "avoiding"], "belongs to an intended task; write \"intended\" too, or remove it")?;
         }
         if let Some(Err(error)) = header.meant() {
             let field = if let TaskTextError::AvoidsGoal { .. } = error { "avoiding" } else { "intended" };
@@ -232,7 +226,7 @@ fn write_prior<S: serde::Serializer>(prior: &Option<Vec<(GroundTaskText, f64)>>,
     weights::in_order(prior.as_deref().unwrap_or_default(), serializer)
 }
 
-pub(crate) fn write_conversation<S: serde::Serializer>(facts: &Option<Vec<(String, String)>>, serializer: S) -> Result<S::Ok, S::Error> {
+fn write_conversation<S: serde::Serializer>(facts: &Option<Vec<(String, String)>>, serializer: S) -> Result<S::Ok, S::Error> {
     weights::in_order(facts.as_deref().unwrap_or_default(), serializer)
 }
 
@@ -250,19 +244,6 @@ fn task(node: Node<'_>) -> Result<GroundTaskText, FormatError> {
 
 fn propositions(node: Node<'_>) -> Result<Vec<GroundAtomText>, FormatError> {
     node.filled_list()?.iter().map(Node::task).collect()
-}
-
-fn actions(node: Node<'_>) -> Result<Vec<String>, FormatError> {
-    let mut seen = BTreeSet::new();
-    let mut actions = Vec::new();
-    for item in node.filled_list()? {
-        let name = item.filled_text()?;
-        if !seen.insert(name.clone()) {
-            return Err(item.error(twice(&name)));
-        }
-        actions.push(name);
-    }
-    Ok(actions)
 }
 
 fn prior(node: Node<'_>) -> Result<Vec<(GroundTaskText, f64)>, FormatError> {

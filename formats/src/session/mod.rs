@@ -52,7 +52,6 @@ mod header;
 mod record;
 
 pub use crate::lines::MAX_LINE_BYTES;
-pub(crate) use header::write_conversation;
 pub use header::{Kind, SessionHeader, StrategyRecord};
 pub(crate) use record::is_one;
 pub use record::{AnswerRecord, EndRecord, FeedbackWord, Record, StepRecord};

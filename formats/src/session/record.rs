@@ -1,8 +1,8 @@
 //! The lines of a log, and which of them a session can have.
 
 use super::header::{Kind, SessionHeader};
-use crate::error::{FormatError, KNOWN_VERSIONS, not_json, quoted, twice};
-use crate::json::{Object, Source};
+use crate::error::{FormatError, KNOWN_VERSIONS, not_json, quoted};
+use crate::json::{Node, Object, Source};
 use crate::task_text::GroundTaskText;
 use serde::Serialize;
 
@@ -96,10 +96,13 @@ struct Typed<'a, T> {
     record: &'a T,
 }
 
+fn typed<T: Serialize>(kind: &'static str, version: Option<u32>, record: &T) -> Result<String, FormatError> {
+    serde_json::to_string(&Typed { kind, version, record }).map_err(|error| FormatError::new(1, not_json(error)))
+}
+
 /// Writes a record, and checks that it can be read again.
 fn write<T: Serialize>(kind: &'static str, version: Option<u32>, record: &T) -> Result<String, FormatError> {
-    let typed = Typed { kind, version, record };
-    let line = serde_json::to_string(&typed).map_err(|error| FormatError::new(1, not_json(error)))?;
+    let line = typed(kind, version, record)?;
     Record::parse(&line, 1)?;
     Ok(line)
 }
@@ -119,6 +122,13 @@ impl SessionHeader {
     /// The header on one line, without a line end. It is an error if the line could not be read again.
     pub fn to_json_line(&self) -> Result<String, FormatError> {
         write("session", KNOWN_VERSIONS.last().copied(), self)
+    }
+
+    /// The header on one line, with another place than its environment; the line is not checked. Inside of texts quotes are escaped, so
+    /// that the environment is found.
+    pub(crate) fn line_elsewhere(&self, place: &str) -> Result<String, FormatError> {
+        let environment = format!("\"environment\":{}", self.environment.to_json_line());
+        Ok(typed("session", KNOWN_VERSIONS.last().copied(), self)?.replacen(&environment, place, 1))
     }
 
     /// Refuses an answer in a session without feedback.
@@ -177,14 +187,7 @@ impl AnswerRecord {
 
     fn read(fields: &Object<'_>) -> Result<Self, FormatError> {
         fields.only(&["type", "tasks", "yes", "eta", "others", "words", "said_ms"])?;
-        let mut tasks = Vec::new();
-        for item in fields.required("tasks")?.filled_list()? {
-            let task: GroundTaskText = item.task()?;
-            if tasks.contains(&task) {
-                return Err(item.error(twice(&task.to_string())));
-            }
-            tasks.push(task);
-        }
+        let tasks = fields.required("tasks")?.each_once(Node::task)?;
         let eta = fields.required("eta")?;
         let others = match fields.optional("others") {
             None => 1,

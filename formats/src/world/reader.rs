@@ -177,7 +177,7 @@ impl WorldFile {
             fields.optional(name).map(|node| node.text()).transpose()?;
         }
         let mut world = Self { name: fields.required("name")?.filled_text()?, ..Self::default() };
-        world.classes = names(&fields.required("classes")?)?;
+        world.classes = fields.required("classes")?.each_once(usable)?;
         if let Some(parents) = fields.optional("parents") {
             world.read_parents(&parents)?;
         }
@@ -358,18 +358,4 @@ pub fn field_line(text: &str, field: &str) -> Option<usize> {
         Some(entry) => node.object().ok()?.optional(entry).map(|node| node.line()),
         None => Some(node.line()),
     }
-}
-
-/// A list of usable names without repetition.
-fn names(list: &Node<'_>) -> Result<Vec<String>, FormatError> {
-    let mut names = Vec::new();
-    let mut seen = BTreeSet::new();
-    for node in list.filled_list()? {
-        let name = usable(&node)?;
-        if !seen.insert(name.clone()) {
-            return Err(node.error(twice(&name)));
-        }
-        names.push(name);
-    }
-    Ok(names)
 }

@@ -3,11 +3,10 @@
 use super::WorldClasses;
 use super::file::WorldFile;
 use crate::environment::EnvironmentFile;
-use crate::error::{FormatError, KNOWN_VERSIONS, not_json};
+use crate::error::FormatError;
 use crate::json::{Object, Source};
-use crate::session::{Kind, RecordedSession, SessionHeader, StrategyRecord, write_conversation};
-use crate::task_text::{GroundAtomText, GroundTaskText};
-use serde::Serialize;
+use crate::session::{RecordedSession, SessionHeader};
+use crate::task_text::GroundAtomText;
 use std::sync::Arc;
 
 /// A session in a world.
@@ -52,33 +51,6 @@ const FIELDS: &[&str] = &[
     "closed_words",
 ];
 
-/// The first line, with its fields in the order of the file.
-#[derive(Serialize)]
-struct Header<'a> {
-    #[serde(rename = "type")]
-    line: &'static str,
-    version: Option<u32>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    id: Option<&'a str>,
-    kind: Kind,
-    world: &'a str,
-    facts: &'a [GroundAtomText],
-    command: &'a str,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    intended: Option<&'a [GroundAtomText]>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    strategies: Option<&'a [StrategyRecord]>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    utterance: Option<&'a str>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    after: Option<&'a GroundTaskText>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    #[serde(serialize_with = "write_conversation")]
-    conversation: Option<Vec<(String, String)>>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    closed_words: Option<&'a str>,
-}
-
 impl SessionInWorld {
     /// Reads the first line of a session in a world.
     pub(super) fn header(
@@ -106,22 +78,8 @@ impl SessionInWorld {
     /// An error if the session could not be read again; its line counts from the session line, which is 1.
     pub fn to_lines(&self) -> Result<Vec<String>, FormatError> {
         let header = &self.session.header;
-        let first = Header {
-            line: "session",
-            version: KNOWN_VERSIONS.last().copied(),
-            id: header.id.as_deref(),
-            kind: header.kind,
-            world: &self.world.name,
-            facts: &self.facts,
-            command: &header.command,
-            intended: header.intended.as_deref(),
-            strategies: header.strategies.as_deref(),
-            utterance: header.utterance.as_deref(),
-            after: header.after.as_ref(),
-            conversation: header.conversation.clone(),
-            closed_words: header.closed_words.as_deref(),
-        };
-        let first = serde_json::to_string(&first).map_err(|error| FormatError::new(1, not_json(error)))?;
+        let [name, facts] = [serde_json::to_string(&self.world.name), serde_json::to_string(&self.facts)].map(Result::unwrap_or_default);
+        let first = header.line_elsewhere(&format!("\"world\":{name},\"facts\":{facts}"))?;
         Self::header(&Source::new(&first, 1).root()?.object()?, Arc::clone(&self.world))?;
         self.session.to_lines_with(first, |step, line| header.check_feedback(step, line))
     }

@@ -8,6 +8,7 @@ use goodbot::snapshot::{RestoreError, SaveError};
 use goodbot::task::TaskTextError;
 use goodbot_lesson::live::LiveError;
 use goodbot_lesson::{Fault, home};
+use std::path::Path;
 use std::{fmt, io};
 
 /// Why a command failed.
@@ -21,6 +22,13 @@ pub enum Failure {
     Told,
     /// Standard output was closed, which is no fault, or cannot be written.
     Output(io::Error),
+}
+
+impl Failure {
+    /// The fault of a file, or of an error about it.
+    pub fn of(file: &Path, fault: impl fmt::Display) -> Self {
+        Self::Input(format!("{}: {fault}", file.display()))
+    }
 }
 
 impl From<io::Error> for Failure {

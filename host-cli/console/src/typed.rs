@@ -16,14 +16,6 @@ pub fn between<T: FromStr + PartialOrd + Display + Copy>(least: T, most: T) -> i
     }
 }
 
-/// A seed.
-///
-/// # Errors
-/// The error says what to give.
-pub fn seed(text: &str) -> Result<u64, String> {
-    text.trim().parse().map_err(|_| format!("give a whole number from 0 to {}", u64::MAX))
-}
-
 /// The probability above which a belief is clear: one half or more.
 ///
 /// # Errors

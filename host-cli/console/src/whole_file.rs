@@ -27,19 +27,18 @@ const LONGEST_WRITING: Duration = Duration::from_secs(60);
 /// # Errors
 /// A [`Failure`] that names the file and says what to do.
 pub fn read_model(path: &Path) -> Result<Vec<u8>, Failure> {
-    let refused = |message: String| Failure::Input(format!("{}: {message}", path.display()));
     let mut bytes = Vec::new();
     let read = File::open(path).and_then(|file| file.take(MOST_BYTES + 1).read_to_end(&mut bytes));
-    read.map_err(|error| refused(format!("cannot be read ({error}); check its name")))?;
+    read.map_err(|error| Failure::of(path, format_args!("cannot be read ({error}); check its name")))?;
     if bytes.len() as u64 > MOST_BYTES {
-        return Err(refused(format!("has more than {} MiB, too much for a model; check its name", MOST_BYTES >> 20)));
+        return Err(Failure::of(path, format_args!("has more than {} MiB, too much for a model; check its name", MOST_BYTES >> 20)));
     }
     let content = Content::of(&bytes);
     if !matches!(content, Content::Model | Content::Environment)
         || content == Content::Environment && bytes.trim_ascii_start().starts_with(b"{")
     {
         let message = format!("this is {}, not a model; name a model (goodbot learn writes one)", content.name());
-        return Err(refused(message));
+        return Err(Failure::of(path, message));
     }
     Ok(bytes)
 }
@@ -50,7 +49,7 @@ pub fn read_model(path: &Path) -> Result<Vec<u8>, Failure> {
 /// The errors of [`read_model`], and the fault of a damaged model.
 pub fn options_of_model(file: &Path) -> Result<Options, Failure> {
     let bytes = read_model(file)?;
-    let contents = Contents::read(&bytes).map_err(|error| Failure::Input(format!("{}: {error}", file.display())))?;
+    let contents = Contents::read(&bytes).map_err(|error| Failure::of(file, error))?;
     Ok(contents.options)
 }
 

@@ -18,7 +18,7 @@ use goodbot::home::Map;
 use goodbot::language::{Synonyms, first_words};
 use goodbot::memory::{AgentMemory, HomeMemory};
 use goodbot::talk::{ClosedWords, Hypothesis, Verdict, Weights};
-use goodbot_console::load::input::Content;
+use goodbot_console::load::input::Place;
 use goodbot_console::load::words::said_in_known_words;
 use goodbot_console::messages::{is_colored, tell};
 use goodbot_console::training_data::worlds;
@@ -27,7 +27,7 @@ use goodbot_console::{ClosedWordOptions, Failure, InputFile, Printed, StarterOpt
 use goodbot_lesson::Fault;
 use meanings::{Interpretation, Meaning, Plan, plan};
 use serde_json::json;
-use std::io::{self, BufRead, Write};
+use std::io::{self, Write};
 use std::path::PathBuf;
 use std::sync::Arc;
 use told::Told;
@@ -179,20 +179,29 @@ enum Asked {
 }
 
 fn asked(options: &AskOptions) -> Result<Asked, Failure> {
-    let file = &options.environment;
-    // Standard input is read once, for a home.
-    if !file.is_standard() {
-        let mut opened = input::open(file)?;
-        // A file that cannot be read is refused later, when it is read.
-        if opened.fill_buf().map(Content::of).ok() == Some(Content::Worlds) {
-            if options.pull || options.starter.is_given() {
-                return Err(Failure::Input("--pull and --starter are for homes; leave them out in a world from a file".to_owned()));
-            }
-            return in_world(options, opened);
-        }
-    }
     let commands = commands(options)?;
-    Ok(Asked::Heard(Setting::Floor(input::home(file)?), commands))
+    let world = match input::place(&options.environment)? {
+        Place::Home(home) => return Ok(Asked::Heard(Setting::Floor(home), commands)),
+        Place::World(read) => read.world,
+    };
+    if options.pull || options.starter.is_given() {
+        return Err(Failure::Input("--pull and --starter are for homes; leave them out in a world from a file".to_owned()));
+    }
+    if !world.actions.is_empty() {
+        return Ok(Asked::Heard(Setting::Other(Arc::new(world)), commands));
+    }
+    // No robot listens here and tells why.
+    if options.why || options.conversation || options.acts.is_some() {
+        let message = "--why, --conversation and --acts are for homes, and for worlds with actions; leave them out here";
+        return Err(Failure::Input(message.to_owned()));
+    }
+    let model = options_of_model(&options.with)?;
+    let told = |command: &String| match worlds::question(input::name(&options.environment), &world, command, model) {
+        // The other commands are still asked.
+        Err(refused) if commands.len() > 1 && refused.field.as_deref() == Some("command") => Ok(Err((command.clone(), refused.message))),
+        told => Ok(Ok(told?)),
+    };
+    commands.iter().map(told).collect::<Result<_, Failure>>().map(Asked::Told)
 }
 
 /// The commands of the options, or those of standard input if it is not the place.
@@ -205,28 +214,6 @@ fn commands(options: &AskOptions) -> Result<Vec<String>, Failure> {
         [only] if only == "-" => lines(),
         words => Ok(vec![words.join(" ")]),
     }
-}
-
-/// The commands in a world from a file.
-fn in_world(options: &AskOptions, opened: impl BufRead) -> Result<Asked, Failure> {
-    let name = input::name(&options.environment);
-    let world = input::WorldInFile::parse(name, input::rest(name, opened)?)?.world;
-    let commands = commands(options)?;
-    if !world.actions.is_empty() {
-        return Ok(Asked::Heard(Setting::Other(Arc::new(world)), commands));
-    }
-    // No robot listens here and tells why.
-    if options.why || options.conversation || options.acts.is_some() {
-        let message = "--why, --conversation and --acts are for homes, and for worlds with actions; leave them out here";
-        return Err(Failure::Input(message.to_owned()));
-    }
-    let model = options_of_model(&options.with)?;
-    let told = |command: &String| match worlds::question(name, &world, command, model) {
-        // The other commands are still asked.
-        Err(refused) if commands.len() > 1 && refused.field.as_deref() == Some("command") => Ok(Err((command.clone(), refused.message))),
-        told => Ok(Ok(told?)),
-    };
-    commands.iter().map(told).collect::<Result<_, Failure>>().map(Asked::Told)
 }
 
 /// The commands of standard input, one on each line.

@@ -52,7 +52,7 @@ pub struct PaperOptions {
     #[arg(long, short = 'n', value_name = "N", default_value = "1", value_parser = typed::between(1_u32, 100_000))]
     pub runs: u32,
     /// Seed of the first run: the same seed gives the same run everywhere
-    #[arg(long, short = 's', value_name = "S", default_value = "1", value_parser = typed::seed)]
+    #[arg(long, short = 's', value_name = "S", default_value = "1", value_parser = typed::between(0, u64::MAX))]
     pub seed: u64,
     /// The homes: drawn ones, or random ones for each seed [default: fixed for one run, random for several]
     #[arg(long, value_enum)]

@@ -146,63 +146,27 @@ fn written(source: &Source<'_>) -> Result<String, std::fmt::Error> {
         };
         writeln!(out, "    {{{action}, {kind}, {at}}},")?;
     }
-    let counts = [schema.classes.len(), schema.attributes.len(), schema.propositions.len(), source.objects.len()];
-    let attributes = if schema.attributes.is_empty() { "NULL".to_owned() } else { format!("{word}_attributes") };
+    writeln!(out, "}};\n\n{}", include_str!("functions.c.txt").replace("WORLD_", &format!("{word}_")).trim_end())?;
+    let [classes, attributes, propositions, objects] =
+        [schema.classes.len(), schema.attributes.len(), schema.propositions.len(), source.objects.len()];
+    let attribute_table = if attributes == 0 { "NULL".to_owned() } else { format!("{word}_attributes") };
+    let (actions, tasks, states, start) = (source.actions.len(), source.tasks.len(), source.states, source.start);
     writeln!(
         out,
-        "}};
-
-static bool {word}_holds(void *context, uint32_t state, uint8_t proposition, const uint8_t *arguments) {{
-    uint32_t count = {word}_propositions[proposition].parameter_count;
-    (void)context;
-    for (size_t at = 0; at < sizeof {word}_facts / sizeof *{word}_facts; at++) {{
-        bool same = {word}_facts[at].proposition == proposition && state / {word}_facts[at].unit % {word}_facts[at].values == {word}_facts[at].value;
-        for (uint32_t argument = 0; argument < count; argument++) same = same && {word}_facts[at].arguments[argument] == arguments[argument];
-        if (same) return true;
-    }}
-    return false;
-}}
-
-static bool {word}_step(void *context, uint32_t state, uint8_t action, uint32_t *next) {{
-    bool fits = false;
-    uint32_t after = state;
-    (void)context;
-    for (size_t at = 0; at < sizeof {word}_parts / sizeof *{word}_parts; at++) {{
-        uint32_t unit = {word}_parts[at].unit, values = {word}_parts[at].values, value = {word}_parts[at].value;
-        if ({word}_parts[at].action != action) continue;
-        if ({word}_parts[at].kind == 0) {{
-            if (fits) break; /* the first rule that fits applies */
-            fits = true;
-            after = state;
-        }} else if ({word}_parts[at].kind == 3) after = after - after / unit % values * unit + value * unit;
-        else if ((state / unit % values == value) != ({word}_parts[at].kind == 1)) fits = false;
-    }}
-    *next = after;
-    return fits;
-}}
-
+        "
 /* In the order of the fields, as C++ wants it. */
 static const goodbot_table {word}_table = {{
-    {word}_classes, {}, {attributes}, {}, {word}_propositions, {}, {word}_objects, {},
-    {word}_actions, {}, {word}_tasks, {}, {} /* states */, {} /* the first */, NULL /* next */, {word}_step, {word}_holds, NULL /* derived */, NULL, {kinds}
+    {word}_classes, {classes}, {attribute_table}, {attributes}, {word}_propositions, {propositions}, {word}_objects, {objects},
+    {word}_actions, {actions}, {word}_tasks, {tasks}, {states} /* states */, {start} /* the first */, NULL /* next */, {word}_step, {word}_holds, NULL /* derived */, NULL, {kinds}
 }};
 
-/* With these, every lesson is kept and every plan is exact. Where a pointer has four bytes, the robot takes {word_bytes};
+/* With these, every lesson is kept and every plan is exact. Where a pointer has four bytes, the robot takes {guard}_BYTES_32 bytes;
    goodbot_table_size(&{word}_capacities) says how many it takes. */
-#define {guard}_BYTES_32 {bytes}
-{table}
+#define {guard}_BYTES_32 {}
+{}
 #endif",
-        counts[0],
-        counts[1],
-        counts[2],
-        counts[3],
-        source.actions.len(),
-        source.tasks.len(),
-        source.states,
-        source.start,
-        word_bytes = format_args!("{guard}_BYTES_32 bytes"),
-        bytes = bytes_32(&source.capacities, true),
-        table = c_table(&format!("{word}_capacities"), &source.capacities),
+        bytes_32(&source.capacities, true),
+        c_table(&format!("{word}_capacities"), &source.capacities),
     )?;
     Ok(out)
 }

@@ -49,9 +49,7 @@ pub struct TableOptions {
 /// # Errors
 /// [`Failure`]: the fault of the file or of the output.
 pub fn run(options: &TableOptions) -> Result<(), Failure> {
-    let name = input::name(&options.world);
     let file = input::world(&options.world)?;
-    let file = file.ok_or_else(|| Failure::Input(format!("{name}: is no world; goodbot example world prints one")))?;
     let refused = |flaw: WorldFlaw| file.fault(&flaw.field, &flaw.message);
     let text = robot::with(&file.world, |robot, start| text(options, robot, start)).map_err(refused)?.map_err(refused)?;
     let mut out = Printed::stdout();

@@ -188,8 +188,7 @@ pub fn propose(pupil: &Pupil, wanted: &[String]) -> Result<Next, Failure> {
         return Ok(Next::NothingWanted);
     }
     // The course's lessons are for homes only.
-    let is_home = pupil.lesson.home().as_floor().is_some();
-    let mut lessons: Vec<_> = course_lessons().map(|(home, command)| (Some(home), command)).filter(|_| is_home).collect();
+    let mut lessons: Vec<_> = course_lessons().map(|(home, command)| (Some(home), command)).filter(|_| !pupil.is_in_world()).collect();
     let own: Vec<_> = wanted.iter().filter(|command| lessons.iter().all(|(_, other)| other != *command)).cloned().collect();
     lessons.extend(own.into_iter().map(|command| (None, command)));
     let [commands, wanted]: [Vec<&str>; 2] =

@@ -19,10 +19,12 @@ mod visit;
 
 use clap::{Args, ValueHint};
 use classroom::Classroom;
+use goodbot_console::load::input::Place;
 use goodbot_console::load::kinds;
 use goodbot_console::messages::is_colored;
 use goodbot_console::{
-    Believes, ClosedWordOptions, Failure, InputFile, Learner, Printed, StarterOptions, SynonymOptions, counted, input, printed, say,
+    Believes, ClosedWordOptions, Failure, InputFile, Learner, Printed, StarterOptions, SynonymOptions, between, counted, input, printed,
+    say,
 };
 use goodbot_formats::environment::EnvironmentFile;
 use goodbot_formats::world::WorldFile;
@@ -31,7 +33,7 @@ use goodbot_lesson::world::robot::{self, Tables};
 use kept::{Kept, Past, RobotFiles};
 use lessons::Tour;
 use palette::Palette;
-use pupil::Pupil;
+use pupil::{Pupil, build, kinds_of_task};
 use site::Setting;
 use std::io::{IsTerminal, Write, stdin};
 use std::path::{Path, PathBuf};
@@ -72,7 +74,7 @@ pub struct TeachOptions {
     #[arg(long, conflicts_with = "home")]
     random: bool,
     /// Seed of everything that is drawn: the same seed and the same words give the same visit [default: 1]
-    #[arg(long, short = 's', value_name = "S", value_parser = goodbot_console::typed::seed)]
+    #[arg(long, short = 's', value_name = "S", value_parser = between(0, u64::MAX))]
     seed: Option<u64>,
     /// Consider ways too: commands may mean to go through a room, through one of two, or to avoid one
     #[arg(long, conflicts_with = "tour")]
@@ -149,21 +151,24 @@ fn visit(classroom: Classroom, pace: Pace, seed: u64) -> Result<(), Failure> {
 fn open(options: &TeachOptions, lines: bool) -> Result<Classroom, Failure> {
     let home = setting(options)?;
     let world = if let Setting::Other(world) = &home { Some(world) } else { None };
-    let name = options.home.as_ref().map(input::name);
-    let pupil = Pupil::new(&home, options.seed.unwrap_or(1), options.routes, options.believes.clone())
-        .map_err(|refusal| name.map_or_else(|| Failure::Input(refusal.to_string()), |name| Failure::Input(format!("{name}: {refusal}"))))?;
+    let place = build(&home).and_then(|place| Ok((kinds_of_task(&place.0, options.routes)?, place)));
+    let (mut lifted, place) = place.map_err(|refusal| match &options.home {
+        Some(file) => Failure::Input(format!("{}: {refusal}", input::name(file))),
+        None => refusal,
+    })?;
     let files = robot_files(options, lines, world)?;
     // What is read of these files is still there when they are written: nobody else writes them from here on.
     let kept = files.map(|files| Kept::open(files, world)).transpose()?;
-    let pupil = match kept.as_ref().filter(|_| world.is_none()) {
-        Some((kept, Past { model: Some(model), .. })) => of_kept_kinds(options, pupil, &kept.files().model, model)?,
-        _ => pupil,
-    };
+    if let (None, Some((kept, Past { model: Some(model), .. }))) = (world, &kept)
+        && let Some(kinds) = kinds::kept(&kept.files().model, model)?
+    {
+        lifted = kinds::agreed(&kept.files().model, kinds, options.routes.then_some(lifted), "--routes")?;
+    }
     if options.starter.is_given() && world.is_some() {
         return Err(Failure::Input("--starter is for homes; leave it out in a world from a file".to_owned()));
     }
-    let starter = options.starter.read(pupil.lesson.agent.lifted(), Learner::Default.options())?;
-    let mut pupil = pupil.with_starter(starter)?;
+    let starter = options.starter.read(&lifted, Learner::Default.options())?;
+    let mut pupil = Pupil::new(place, &lifted, options.seed.unwrap_or(1), options.believes.clone(), starter)?;
     pupil.lesson.closed = options.closed_words.read()?;
     pupil.synonyms = options.synonyms.read()?;
     let learned = kept.iter().flat_map(|(_, past)| past.learned.iter().map(String::as_str));
@@ -198,14 +203,6 @@ fn robot_files(options: &TeachOptions, lines: bool, world: Option<&Arc<WorldFile
             None => RobotFiles::of_robot(if options.tour { TOUR_ROBOT } else { ROBOT })?,
         }),
     })
-}
-
-/// The robot, with the kinds of task that its file keeps.
-fn of_kept_kinds(options: &TeachOptions, pupil: Pupil, file: &Path, model: &[u8]) -> Result<Pupil, Failure> {
-    let Some(kinds) = kinds::kept(file, model)? else { return Ok(pupil) };
-    let asked = options.routes.then(|| pupil.lesson.agent.lifted().to_vec());
-    let kinds = kinds::agreed(file, kinds, asked, "--routes")?;
-    pupil.with_kinds(&kinds)
 }
 
 /// Parses the expected trainer. Without a log, `logged` is impossible.
@@ -246,13 +243,13 @@ fn setting(options: &TeachOptions) -> Result<Setting, Failure> {
     if file.is_standard() {
         return Err(Failure::Input("standard input is where requests come from; name a file for the home".to_owned()));
     }
-    match input::world(file)? {
-        Some(read) => {
+    match input::place(file)? {
+        Place::World(read) => {
             // A fault of the robot is reported in the world's file.
             let robot = Tables::of(Arc::new(read.world.clone())).and_then(|tables| tables.lend(|robot| robot::tasks(&read.world, robot)));
             robot.map_err(|flaw| read.fault(&flaw.field, &flaw.message))?;
             Ok(Setting::Other(Arc::new(read.world)))
         }
-        None => Ok(input::home(file).map(Setting::Floor)?),
+        Place::Home(home) => Ok(Setting::Floor(home)),
     }
 }

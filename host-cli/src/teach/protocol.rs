@@ -4,7 +4,7 @@ use super::classroom::Classroom;
 use super::kept::Kept;
 use super::lessons::{Next, random_home};
 use super::pupil::{Meaning, Reaction};
-use super::site::Table;
+use super::site::{Shown, Table};
 use goodbot::asking::{Answer, Asking};
 use goodbot::feedback::Feedback;
 use goodbot::session::Evidence;
@@ -156,7 +156,7 @@ impl Speaker<'_> {
             "reset" => {
                 self.classroom.forget()?;
                 self.classroom.pupil.put_back();
-                Ok(vec![self.place(if self.classroom.pupil.table().is_some() { "world" } else { "home" })])
+                Ok(vec![self.place(if self.classroom.pupil.is_in_world() { "world" } else { "home" })])
             }
             "state" => Ok(vec![self.state()]),
             "words" => Ok(vec![self.words()]),
@@ -513,22 +513,26 @@ impl Speaker<'_> {
     }
 
     fn add_place(&self, answer: &mut Value) {
-        if let Some(table) = self.classroom.pupil.table() {
-            answer["world"] = table.name.as_str().into();
-            answer["facts"] = facts(&table);
-        }
-        if let Some(scene) = self.classroom.pupil.scene() {
-            answer["home"] = json!(scene.environment);
-            answer["map"] = scene.map.lines().collect();
+        match self.classroom.pupil.shown() {
+            Some(Shown::Floor(scene)) => {
+                answer["home"] = json!(scene.environment);
+                answer["map"] = scene.map.lines().collect();
+            }
+            Some(Shown::Other(table)) => {
+                answer["world"] = table.name.as_str().into();
+                answer["facts"] = facts(&table);
+            }
+            None => {}
         }
     }
 
     /// The cells of the robot and the blocks; in a world from a file, the facts.
     fn add_cells(&self, answer: &mut Value) {
-        if let Some(table) = self.classroom.pupil.table() {
-            answer["facts"] = facts(&table);
-        }
-        let Some(scene) = self.classroom.pupil.scene() else { return };
+        let scene = match self.classroom.pupil.shown() {
+            Some(Shown::Floor(scene)) => scene,
+            Some(Shown::Other(table)) => return answer["facts"] = facts(&table),
+            None => return,
+        };
         let cell = |object: &ObjectRecord| match object {
             ObjectRecord::Agent { name, x, y } | ObjectRecord::Block { name, x, y, .. } => Some((name.clone(), json!([x, y]))),
             ObjectRecord::Room { .. } | ObjectRecord::Door { .. } => None,

@@ -42,6 +42,9 @@ pub const fn session_mut(recorded: &mut Recorded) -> &mut RecordedSession {
     }
 }
 
+/// The place in its present state, as it is shown.
+pub type Shown = Either<Scene, Table>;
+
 /// The lines of a log.
 ///
 /// # Errors

@@ -83,7 +83,7 @@ pub struct EvaluateOptions {
     #[arg(long, conflicts_with_all = ["learner", "plot", "curve"])]
     ablation: bool,
     /// Seed of the parts, layouts and curves [default: 1]
-    #[arg(long, short = 's', value_name = "S", value_parser = goodbot_console::typed::seed)]
+    #[arg(long, short = 's', value_name = "S", value_parser = between(0, u64::MAX))]
     seed: Option<u64>,
     /// Write a reliability diagram: how often answers are right, against how sure they are; - is standard output
     #[arg(long, value_name = "FILE.svg", value_hint = ValueHint::FilePath)]
@@ -167,10 +167,10 @@ pub fn run(options: &EvaluateOptions) -> Result<(), Failure> {
     if options.ablation {
         return ablation(options, &lifted, &mut out);
     }
-    if let Some(model) = &options.with {
-        return with_model(options, model, &lifted, plot.as_ref(), &mut out);
-    }
-    let agent = options.learner.options();
+    let agent = match &options.with {
+        Some(model) => options_of_model(model)?,
+        None => options.learner.options(),
+    };
     let sessions = Sessions::read(options, &lifted, agent)?;
     let (answers, summary) = sessions.answers(options, &lifted, agent)?;
     sessions.tell_copies(&answers);
@@ -214,49 +214,6 @@ fn ablation(options: &EvaluateOptions, lifted: &[LiftedTask], out: &mut impl Wri
     Ok(out.flush()?)
 }
 
-/// Asks a model that was trained before.
-fn with_model(
-    options: &EvaluateOptions,
-    file: &Path,
-    lifted: &[LiftedTask],
-    plot: Option<&Output>,
-    out: &mut impl Write,
-) -> Result<(), Failure> {
-    options.refuse_idle_seed(&[])?;
-    let files: Vec<InputFile> = options.files.iter().chain(&options.test).cloned().collect();
-    if files.is_empty() {
-        return Err(Failure::Input("there is nothing to ask the model; name a session log with --test".to_owned()));
-    }
-    let agent = options_of_model(file)?;
-    let log_options = LogOptions { keep_going: options.keep_going, limit: options.limit, ..LogOptions::default() };
-    let asked = options.cleared(training_data::read(&files, lifted, agent, &log_options)?);
-    let sessions = Sessions { taught: Lessons::default(), asked: Some(asked), starter: Starter::default() };
-    let about = sessions.about()?;
-    let experiment = Experiment {
-        taught: &[],
-        asked: sessions.asked(),
-        rounds: vec![(vec![], (0..sessions.asked().len()).collect())],
-        copies: vec![None; sessions.asked().len()],
-        synonyms: options.synonyms.read()?,
-        starter: &Starter::default(),
-        novel: options.novel(lifted, agent)?,
-    };
-    let starter = options.starter.of_model(file, lifted)?;
-    let mut memory = AgentHeap::new(&Capacities::NONE);
-    let mut trained = match sessions.are_of_worlds() {
-        true if options.starter.is_given() => {
-            return Err(Failure::Input("--starter is for homes; leave it out in a world from a file".to_owned()));
-        }
-        true => Trained::Model(Box::new(restored::language(file, &mut memory, sessions.asked(), sessions.act())?)),
-        false => Trained::Robot(Box::new(restored::agent_beside(file, lifted, &starter)?)),
-    };
-    let answers = experiment.ask(&mut trained)?;
-    let summary = Summary::of(&answers, about);
-    reliability(plot, &summary)?;
-    report::print(out, &answers, &summary, options.json)?;
-    Ok(out.flush()?)
-}
-
 /// The sessions to train on, and others to ask, if there are any.
 struct Sessions {
     taught: Lessons,
@@ -267,10 +224,15 @@ struct Sessions {
 impl Sessions {
     fn read(options: &EvaluateOptions, lifted: &[LiftedTask], agent: Options) -> Result<Self, Failure> {
         let log_options = LogOptions { keep_going: options.keep_going, limit: options.limit, ..LogOptions::default() };
-        let taught = options.cleared(training_data::read(&options.files, lifted, agent, &log_options)?);
-        let asked = match options.test.as_slice() {
-            [] => None,
-            files => Some(options.cleared(training_data::read(files, lifted, agent, &log_options)?)),
+        let read = |files: &[InputFile]| Ok::<_, Failure>(options.cleared(training_data::read(files, lifted, agent, &log_options)?));
+        let (taught, asked) = match (&options.with, options.test.as_slice()) {
+            (Some(_), []) if options.files.is_empty() => {
+                return Err(Failure::Input("there is nothing to ask the model; name a session log with --test".to_owned()));
+            }
+            // A model that was trained before is asked all sessions.
+            (Some(_), test) => (Lessons::default(), Some(read(&[&options.files, test].concat())?)),
+            (None, []) => (read(&options.files)?, None),
+            (None, test) => (read(&options.files)?, Some(read(test)?)),
         };
         Ok(Self { taught, asked, starter: options.starter.read(lifted, agent)? })
     }
@@ -344,9 +306,29 @@ impl Sessions {
             starter: &self.starter,
             novel: options.novel(lifted, agent)?,
         };
-        let answers = experiment.run(agent.language)?;
+        let answers = match &options.with {
+            Some(model) => experiment.ask(&mut self.restored(options, model, lifted, &mut AgentHeap::new(&Capacities::NONE))?)?,
+            None => experiment.run(agent.language)?,
+        };
         let summary = Summary::of(&answers, about);
         Ok((answers, summary))
+    }
+
+    /// A model that was trained before, for the places of these sessions.
+    fn restored<'m>(
+        &self,
+        options: &EvaluateOptions,
+        file: &Path,
+        lifted: &[LiftedTask],
+        memory: &'m mut AgentHeap,
+    ) -> Result<Trained<'m>, Failure> {
+        if !self.are_of_worlds() {
+            return Ok(Trained::Robot(Box::new(restored::agent_beside(file, lifted, &self.starter)?)));
+        }
+        if options.starter.is_given() {
+            return Err(Failure::Input("--starter is for homes; leave it out in a world from a file".to_owned()));
+        }
+        Ok(Trained::Model(Box::new(restored::language(file, memory, self.asked(), self.act())?)))
     }
 
     /// Names the first copies of training sessions.

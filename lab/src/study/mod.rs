@@ -104,7 +104,7 @@ pub struct StudyOptions {
     #[arg(long, short = 'n', value_name = "N", default_value = "100", value_parser = between(1_u32, 100_000))]
     pub runs: u32,
     /// The first seed: the same seed gives the same run everywhere
-    #[arg(long, short = 's', value_name = "S", default_value = "1", value_parser = goodbot_console::typed::seed)]
+    #[arg(long, short = 's', value_name = "S", default_value = "1", value_parser = between(0, u64::MAX))]
     pub seed: u64,
     /// Fit trainers to session logs, and compare simulated trainers with them
     #[arg(long, value_name = "LOG", num_args = 1.., value_hint = ValueHint::FilePath, conflicts_with_all = ["csv", "json", "tables", "plot"])]
@@ -212,22 +212,13 @@ pub fn run(options: &StudyOptions) -> Result<(), Failure> {
     if options.tables {
         write!(out, "{}", report::tables(&plan, &runs, &rows))?;
     } else if options.json {
-        lines(&mut out, &plan, &runs)?;
-        for row in &rows {
-            writeln!(out, "{}", row.to_json())?;
-        }
+        writeln!(out, "{}", summary::plan_to_json(&plan))?;
+        runs.iter().try_for_each(|run| writeln!(out, "{}", summary::run_to_json(&plan, run)))?;
+        rows.iter().try_for_each(|row| writeln!(out, "{}", row.to_json()))?;
     } else if options.csv {
         summary::csv(&mut out, &plan, &rows)?;
     } else {
         summary::print(&mut out, &plan, &rows)?;
     }
     Ok(out.flush()?)
-}
-
-fn lines(out: &mut impl Write, plan: &Plan, runs: &[Run]) -> Result<(), Failure> {
-    writeln!(out, "{}", summary::plan_to_json(plan))?;
-    for run in runs {
-        writeln!(out, "{}", summary::run_to_json(plan, run))?;
-    }
-    Ok(())
 }

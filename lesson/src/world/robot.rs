@@ -22,7 +22,7 @@ use goodbot::task::{GroundedTask, LiftedTask};
 use goodbot::{Agent, AgentError, Capacities, Options};
 use goodbot_formats::session::RecordedSession;
 use goodbot_formats::task_text::{GroundAtomText, GroundTaskText};
-use goodbot_formats::world::{DerivedOfWorld, Literal, SessionInWorld, Term, WorldFile};
+use goodbot_formats::world::{Literal, SessionInWorld, Term, WorldFile};
 use std::cell::Cell;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::sync::Arc;
@@ -161,7 +161,7 @@ impl Tables {
             file,
         };
         tables.count = tables.add_objects()?;
-        tables.mechanism = tables.lend(|robot| Mechanism::of(&tables.file, &robot.schema, robot.objects))?;
+        tables.mechanism = tables.lend(|robot| Mechanism::of(&tables.file, robot.world))?;
         tables.start = tables.lend(|robot| robot.state_of(&tables.file.facts))?;
         Ok(tables)
     }
@@ -269,7 +269,7 @@ pub fn tasks(file: &WorldFile, robot: &Robot<'_>) -> Result<Vec<LiftedTask>, Wor
         return flaw("task_kinds", message);
     }
     let parse = |(position, kind): (usize, &goodbot_formats::task_text::LiftedTaskText)| {
-        LiftedTask::parse(&kind.to_string(), &robot.schema)
+        LiftedTask::parse(&kind.to_string(), &robot.world.schema)
             .map_err(|error| WorldFlaw { field: format!("task_kinds[{position}]"), message: error.to_string() })
     };
     file.task_kinds.iter().enumerate().map(parse).collect()
@@ -278,8 +278,7 @@ pub fn tasks(file: &WorldFile, robot: &Robot<'_>) -> Result<Vec<LiftedTask>, Wor
 /// A robot from a world file.
 #[derive(Clone, Copy, Debug)]
 pub struct Robot<'w> {
-    schema: Schema<'w>,
-    objects: Objects<'w>,
+    world: World<'w>,
     kinds: &'w [ActionKind<'w>],
     mechanism: &'w Mechanism,
     file: &'w Arc<WorldFile>,
@@ -290,7 +289,7 @@ impl<'w> Robot<'w> {
         let Tables { rows, name_bytes, name_ends, count, mechanism, file, .. } = tables;
         let schema = Schema { classes: &names.classes, attributes, propositions: &names.propositions };
         let objects = Objects::new(ObjectTablesRef { objects: rows, name_bytes, name_ends }, *count);
-        Self { schema, objects, kinds: &names.kinds, mechanism, file }
+        Self { world: World { schema, objects }, kinds: &names.kinds, mechanism, file }
     }
 
     /// The file that describes it.
@@ -303,7 +302,8 @@ impl<'w> Robot<'w> {
     /// # Errors
     /// A [`WorldFlaw`] if a variable has no value or two, or if a proposition that no action changes differs from the file.
     pub fn state_of(&self, facts: &[GroundAtomText]) -> Result<u64, WorldFlaw> {
-        self.mechanism.state_of(facts, &self.file.variables, &self.schema, self.objects)
+        let values = self.mechanism.values_of(facts, &self.file.variables, self.world)?;
+        Ok(self.mechanism.digits.iter().zip(values).map(|(digit, value)| digit.unit * value).sum())
     }
 
     /// The facts of a state, in the order of the propositions and their objects.
@@ -320,9 +320,9 @@ impl<'w> Robot<'w> {
     fn texts<'k>(&self, keys: impl Iterator<Item = &'k Key>) -> Vec<GroundAtomText> {
         let all: BTreeSet<&Key> = keys.collect();
         let text = |(proposition, arguments): &&Key| {
-            let count = self.schema.parameters(*proposition).len();
-            let names = arguments.iter().take(count).map(|&object| self.objects.name(object));
-            GroundAtomText::new(self.schema.proposition_name(*proposition), names).ok()
+            let count = self.world.schema.parameters(*proposition).len();
+            let names = arguments.iter().take(count).map(|&object| self.world.objects.name(object));
+            GroundAtomText::new(self.world.schema.proposition_name(*proposition), names).ok()
         };
         all.iter().filter_map(text).collect()
     }
@@ -354,7 +354,7 @@ impl<'w> Robot<'w> {
 
     /// Whether any action can change a proposition.
     pub fn changes(&self, proposition: &GroundAtomText) -> bool {
-        self.mechanism.places.contains_key(&key(&self.schema, self.objects, proposition))
+        self.mechanism.places.contains_key(&key(self.world, proposition))
     }
 }
 
@@ -470,7 +470,7 @@ impl Case {
 }
 
 impl Mechanism {
-    fn of(file: &WorldFile, schema: &Schema<'_>, objects: Objects<'_>) -> Result<Self, WorldFlaw> {
+    fn of(file: &WorldFile, world: World<'_>) -> Result<Self, WorldFlaw> {
         let changed: BTreeSet<&str> =
             file.actions.iter().flat_map(|action| &action.effects).map(|effect| effect.proposition.as_str()).collect();
         let (mut mechanism, members) = (Self::default(), Members::of(file));
@@ -497,27 +497,27 @@ impl Mechanism {
             }
         }
         for fact in &file.facts {
-            let key = key(schema, objects, fact);
+            let key = key(world, fact);
             if !mechanism.places.contains_key(&key) {
                 mechanism.fixed.insert(key);
             }
         }
         for position in 0..file.actions.len() {
-            mechanism.ground(position, file, &members, schema, objects)?;
+            mechanism.ground(position, file, &members, world)?;
         }
         // Words tell the objects of one class of the core apart by their own class.
         for (position, object) in file.objects.iter().enumerate() {
-            if schema.class_name(class_of(file, &object.class)) != object.class {
+            if world.schema.class_name(class_of(file, &object.class)) != object.class {
                 let always = Case { conditions: vec![], effects: vec![] };
                 mechanism.derived.push(Derived { object: ObjectId::new(position as u8), name: object.class.clone(), cases: vec![always] });
             }
         }
-        for (position, derived) in file.derived.iter().enumerate() {
-            mechanism.derive(position, derived, file, &members, schema, objects)?;
+        for position in 0..file.derived.len() {
+            mechanism.derive(position, file, &members, world)?;
         }
         let fits = mechanism.number().is_ok() && mechanism.actions.len() <= Action::MOST;
         if !fits || mechanism.actions.len() > Action::MOST_ON_CONTROLLERS {
-            let start = mechanism.values_of(&file.facts, &file.variables, schema, objects)?;
+            let start = mechanism.values_of(&file.facts, &file.variables, world)?;
             // What fits is left whole, unless a controller can hold the rest alone.
             let mut possible = if fits { mechanism.clone() } else { std::mem::take(&mut mechanism) };
             possible.keep_possible(&start);
@@ -525,13 +525,13 @@ impl Mechanism {
                 mechanism = possible;
             }
             if mechanism.number().is_err() {
-                let start = mechanism.values_of(&file.facts, &file.variables, schema, objects)?;
+                let start = mechanism.values_of(&file.facts, &file.variables, world)?;
                 mechanism.join_opposites(&start);
             }
         }
         if let Err(digit) = mechanism.number() {
             let of_digit = |&(_, &(of, _)): &(&Key, &(usize, u64))| of == digit;
-            let name = mechanism.places.iter().find(of_digit).map_or("", |(&(id, _), _)| schema.proposition_name(id));
+            let name = mechanism.places.iter().find(of_digit).map_or("", |(&(id, _), _)| world.schema.proposition_name(id));
             return flaw(format!("propositions.{name}"), "gives more states than can be numbered; leave out objects or what changes");
         }
         if mechanism.actions.len() > Action::MOST {
@@ -668,29 +668,11 @@ impl Mechanism {
         }
     }
 
-    /// The state with these facts.
-    fn state_of(
-        &self,
-        facts: &[GroundAtomText],
-        variables: &[String],
-        schema: &Schema<'_>,
-        objects: Objects<'_>,
-    ) -> Result<u64, WorldFlaw> {
-        let values = self.values_of(facts, variables, schema, objects)?;
-        Ok(self.digits.iter().zip(values).map(|(digit, value)| digit.unit * value).sum())
-    }
-
     /// The values of the digits with these facts.
-    fn values_of(
-        &self,
-        facts: &[GroundAtomText],
-        variables: &[String],
-        schema: &Schema<'_>,
-        objects: Objects<'_>,
-    ) -> Result<Vec<u64>, WorldFlaw> {
+    fn values_of(&self, facts: &[GroundAtomText], variables: &[String], world: World<'_>) -> Result<Vec<u64>, WorldFlaw> {
         let (mut start, mut told, mut fixed) = (vec![0; self.digits.len()], BTreeMap::new(), BTreeSet::new());
         for (position, fact) in facts.iter().enumerate() {
-            let key = key(schema, objects, fact);
+            let key = key(world, fact);
             let Some(&(digit, value)) = self.places.get(&key) else {
                 if !self.fixed.contains(&key) {
                     return flaw(format!("facts[{position}]"), "holds here and not in the world, and no action changes it; leave it out");
@@ -719,9 +701,9 @@ impl Mechanism {
                 continue;
             }
             let named = |&(proposition, arguments): &Key, without: usize| {
-                let count = schema.parameters(proposition).len() - without;
-                let of: Vec<&str> = arguments.iter().take(count).map(|&object| objects.name(object)).collect();
-                (schema.proposition_name(proposition), of)
+                let count = world.schema.parameters(proposition).len() - without;
+                let of: Vec<&str> = arguments.iter().take(count).map(|&object| world.objects.name(object)).collect();
+                (world.schema.proposition_name(proposition), of)
             };
             let (name, of) = named(key, 1);
             if variables.iter().any(|variable| variable == name) {
@@ -739,14 +721,7 @@ impl Mechanism {
     }
 
     /// Adds one of the file's actions with each choice of objects, or its cases to those of an earlier action of the same name and objects.
-    fn ground(
-        &mut self,
-        position: usize,
-        file: &WorldFile,
-        members: &Members<'_>,
-        schema: &Schema<'_>,
-        objects: Objects<'_>,
-    ) -> Result<(), WorldFlaw> {
+    fn ground(&mut self, position: usize, file: &WorldFile, members: &Members<'_>, world: World<'_>) -> Result<(), WorldFlaw> {
         let Some((action, before)) = file.actions.get(..=position).and_then(<[_]>::split_last) else { return Ok(()) };
         let has_earlier_cases = before.iter().any(|other| other.name == action.name);
         let earlier = self.actions.iter().enumerate().filter(|_| has_earlier_cases);
@@ -757,12 +732,12 @@ impl Mechanism {
         let mut one = |binding: &Binding<'_>| -> Result<(), WorldFlaw> {
             let mut cases = Vec::new();
             each_binding(members, &free, binding, &tries, &mut |binding| {
-                cases.extend(self.case(&action.conditions, &action.effects, schema, objects, binding));
+                cases.extend(self.case(&action.conditions, &action.effects, world, binding));
                 Ok(())
             })?;
             if !cases.is_empty() {
                 let arguments: Vec<&str> =
-                    bound.iter().filter_map(|(name, _)| binding.get(name)).map(|&object| objects.name(object)).collect();
+                    bound.iter().filter_map(|(name, _)| binding.get(name)).map(|&object| world.objects.name(object)).collect();
                 let name = if arguments.is_empty() { action.name.clone() } else { format!("{}({})", action.name, arguments.join(",")) };
                 match earlier.get(&name).and_then(|&at| self.actions.get_mut(at)) {
                     Some(known) => known.cases.append(&mut cases),
@@ -775,21 +750,14 @@ impl Mechanism {
     }
 
     /// Adds a derived fact of each object, or further cases of one that is there.
-    fn derive(
-        &mut self,
-        position: usize,
-        all: &DerivedOfWorld,
-        file: &WorldFile,
-        members: &Members<'_>,
-        schema: &Schema<'_>,
-        objects: Objects<'_>,
-    ) -> Result<(), WorldFlaw> {
+    fn derive(&mut self, position: usize, file: &WorldFile, members: &Members<'_>, world: World<'_>) -> Result<(), WorldFlaw> {
+        let Some(all) = file.derived.get(position) else { return Ok(()) };
         let free = free_variables(file, &all.conditions, |name| *name == all.of);
         let tries = Tries::new(format!("derived[{position}]"), "has more choices of objects than can be tried; give it fewer variables");
         for &object in members.of_class(&all.class) {
             let mut cases = Vec::new();
             each_binding(members, &free, &BTreeMap::from([(all.of.as_str(), object)]), &tries, &mut |binding| {
-                cases.extend(self.case(&all.conditions, &[], schema, objects, binding));
+                cases.extend(self.case(&all.conditions, &[], world, binding));
                 Ok(())
             })?;
             match self.derived.iter_mut().find(|known| known.object == object && known.name == all.name) {
@@ -801,23 +769,16 @@ impl Mechanism {
     }
 
     /// The case of an action or a derived fact with these objects, if its fixed conditions hold.
-    fn case(
-        &self,
-        conditions: &[Literal],
-        effects: &[Literal],
-        schema: &Schema<'_>,
-        objects: Objects<'_>,
-        binding: &Binding<'_>,
-    ) -> Option<Case> {
+    fn case(&self, conditions: &[Literal], effects: &[Literal], world: World<'_>, binding: &Binding<'_>) -> Option<Case> {
         let key = |literal: &Literal| -> Option<Key> {
             let mut arguments = [ObjectId::new(0); ARGUMENTS];
             for (slot, term) in arguments.iter_mut().zip(&literal.terms) {
                 *slot = match term {
                     Term::Variable(name) => *binding.get(name.as_str())?,
-                    Term::Object(name) => objects.find(name)?,
+                    Term::Object(name) => world.objects.find(name)?,
                 };
             }
-            Some((schema.proposition(&literal.proposition)?, arguments))
+            Some((world.schema.proposition(&literal.proposition)?, arguments))
         };
         let mut case = Case { conditions: vec![], effects: vec![] };
         for condition in conditions {
@@ -932,12 +893,12 @@ fn each_binding<'v>(
     Ok(())
 }
 
-fn key(schema: &Schema<'_>, objects: Objects<'_>, fact: &GroundAtomText) -> Key {
+fn key(world: World<'_>, fact: &GroundAtomText) -> Key {
     let mut arguments = [ObjectId::new(0); ARGUMENTS];
     for (slot, name) in arguments.iter_mut().zip(fact.arguments()) {
-        *slot = objects.find(name).unwrap_or(ObjectId::new(0));
+        *slot = world.objects.find(name).unwrap_or(ObjectId::new(0));
     }
-    (schema.proposition(fact.function()).unwrap_or(PropositionId::new(0)), arguments)
+    (world.schema.proposition(fact.function()).unwrap_or(PropositionId::new(0)), arguments)
 }
 
 impl Domain for Robot<'_> {
@@ -945,7 +906,7 @@ impl Domain for Robot<'_> {
     type Search = OneByOne;
 
     fn world(&self) -> World<'_> {
-        World { schema: self.schema, objects: self.objects }
+        self.world
     }
 
     fn actions(&self) -> &[ActionKind<'_>] {
@@ -963,7 +924,7 @@ impl Domain for Robot<'_> {
     fn holds(&self, proposition: &GroundProposition, state: &u64) -> bool {
         // Arguments beyond the parameters have no meaning.
         let mut arguments = proposition.arguments;
-        let count = self.schema.parameters(proposition.proposition).len();
+        let count = self.world.schema.parameters(proposition.proposition).len();
         arguments.iter_mut().skip(count).for_each(|slot| *slot = ObjectId::new(0));
         let key = (proposition.proposition, arguments);
         match self.mechanism.places.get(&key) {

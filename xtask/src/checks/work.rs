@@ -5,12 +5,11 @@ use crate::firmware::{
     FLASH, Image, Report, alone, bytes, check_esp32c3, deliver, for_cortex_m0, full, images, nothing_panics, obeying, run_alone, run_pico,
     trials,
 };
-use crate::process::{shell, target_dir};
+use crate::process::{packages, shell, target_dir};
 use crate::programs::{CHROMIUM, FIREFOX, NODE, QEMU, built_by_cargo, npm_packages, on_path, python_with};
 use crate::toolchain::{self, WASM, WINDOWS};
 use crate::worst;
 use anyhow::{Context, Result, bail, ensure};
-use serde_json::Value;
 use std::path::PathBuf;
 use xshell::{Shell, cmd};
 
@@ -145,8 +144,7 @@ const PAIR: &str = "alloc,unicode";
 /// and so are all together, which the workspace has. What two features have in common is in the C library, the firmware and the command line, which other
 /// steps build.
 fn feature_sets(sh: &Shell) -> Result<Vec<String>> {
-    let metadata: Value = serde_json::from_str(&cmd!(sh, "cargo metadata --no-deps --format-version 1").quiet().read()?)?;
-    let packages = metadata["packages"].as_array().context("cargo tells packages")?;
+    let packages = packages(sh, "Cargo.toml")?;
     let core = packages.iter().find(|package| package["name"] == "goodbot").context("cargo tells of the core")?;
     let features: Vec<_> = core["features"].as_object().context("cargo tells features")?.keys().map(String::as_str).collect();
     let alone = features.iter().copied().filter(|feature| *feature != "default" && !CLIPPY_SETS.contains(feature));

@@ -1,10 +1,10 @@
 //! A folder as one zip file, with the same bytes on every day and machine; and the texts in it, filled with the version and other facts.
 
+use crate::process::packages;
 use anyhow::{Context, Result};
-use serde_json::Value;
 use std::fs::File;
 use std::path::{Path, PathBuf};
-use xshell::{Shell, cmd};
+use xshell::Shell;
 use zip::read::root_dir_common_filter;
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, DateTime, ZipArchive, ZipWriter};
@@ -42,20 +42,13 @@ pub fn unpack(from: &Path, folder: &Path) -> Result<()> {
     Ok(ZipArchive::new(File::open(from)?)?.extract_unwrapped_root_dir(folder, root_dir_common_filter)?)
 }
 
-/// The crates of the workspace, as cargo tells them.
-pub fn packages(sh: &Shell) -> Result<Vec<Value>> {
-    let metadata = cmd!(sh, "cargo metadata --offline --no-deps --format-version 1").quiet().read()?;
-    let metadata: Value = serde_json::from_str(&metadata)?;
-    Ok(metadata["packages"].as_array().context("cargo tells packages")?.clone())
-}
-
 /// Places such as `@VERSION@`, and what is put there.
 pub struct Texts(Vec<(&'static str, String)>);
 
 impl Texts {
     /// The facts of the workspace.
     pub fn new(sh: &Shell) -> Result<Self> {
-        let packages = packages(sh)?;
+        let packages = packages(sh, "Cargo.toml")?;
         let core = packages.iter().find(|package| package["name"] == "goodbot").context("there is no crate goodbot")?;
         let version = core["version"].as_str().unwrap_or_default();
         let minor = version.rsplit_once('.').map_or(version, |(minor, _)| minor);
@@ -93,12 +86,13 @@ impl Texts {
 mod tests {
     use super::*;
     use crate::process::shell;
+    use serde_json::Value;
 
     #[test]
     fn whatever_is_published_from_its_folder_has_both_licences_there() {
         let sh = shell().unwrap();
         let published = |package: &Value| package["publish"].is_null() || package["name"] == "goodbot-python";
-        let folders = packages(&sh)
+        let folders = packages(&sh, "Cargo.toml")
             .unwrap()
             .into_iter()
             .filter(published)

@@ -10,7 +10,7 @@ mod try_out;
 pub use npm::make_and_try;
 
 use crate::capi::{ALL_FEATURES, FEATURES, headers_beside, library};
-use crate::process::{described, folder_named_by, root, shell, target_dir};
+use crate::process::{described, folder_named_by, packages, root, shell, target_dir};
 use crate::programs::{installed_by_cargo, on_path, python_with};
 use crate::toolchain::{TARGETS, WASM};
 use anyhow::{Context, Result};
@@ -119,7 +119,7 @@ impl Package {
 
 /// Those that are public. Cargo packs what is committed, and builds each from its packed file.
 fn crates(sh: &Shell, texts: &Texts, to: &Path) -> Result<()> {
-    let packages = archive::packages(sh)?;
+    let packages = packages(sh, "Cargo.toml")?;
     let public: Vec<&str> =
         packages.iter().filter(|package| package["publish"].is_null()).filter_map(|package| package["name"].as_str()).collect();
     let named = public.iter().flat_map(|name| ["--package", name]);

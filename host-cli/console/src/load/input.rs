@@ -158,16 +158,16 @@ impl WorldInFile {
     }
 }
 
-/// A world from a file; `None` if the file is of another kind.
+/// A world from a file.
 ///
 /// # Errors
 /// The fault of the file.
-pub fn world(file: &InputFile) -> Result<Option<WorldInFile>, Fault> {
-    let mut opened = open(file)?;
-    if Content::of(opened.fill_buf().map_err(unreadable(name(file)))?) != Content::Worlds {
-        return Ok(None);
+pub fn world(file: &InputFile) -> Result<WorldInFile, Fault> {
+    let bytes = bytes(file)?;
+    if Content::of(&bytes) != Content::Worlds {
+        return Err(Fault::new(name(file), "is no world; goodbot example world prints one"));
     }
-    WorldInFile::parse(name(file), rest(name(file), opened)?).map(Some)
+    WorldInFile::parse(name(file), bytes)
 }
 
 /// Writes faults to standard error.

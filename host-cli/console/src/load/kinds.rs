@@ -83,7 +83,7 @@ impl TaskKinds {
 /// # Errors
 /// [`Failure::Input`] if they are damaged.
 pub fn kept(file: &Path, model: &[u8]) -> Result<Option<Vec<LiftedTask>>, Failure> {
-    let texts = kept_kinds::of(model).map_err(|error| Failure::Input(format!("{}: {error}", file.display())))?;
+    let texts = kept_kinds::of(model).map_err(|error| Failure::of(file, error))?;
     // Kinds of another vocabulary are handled when the model is restored: the model is refused, or its words are kept.
     Ok(texts.and_then(|texts| texts.iter().map(|text| TaskKinds::parse(text).ok()).collect()))
 }

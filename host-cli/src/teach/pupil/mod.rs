@@ -12,9 +12,10 @@ mod mind;
 mod thoughts;
 
 pub use goodbot_lesson::live::Acted;
+pub use mind::{build, kinds_of_task};
 pub use thoughts::{Idea, Meaning, WordSupport};
 
-use super::site::{Scene, Table, scene, table};
+use super::site::{Shown, scene, table};
 use crate::teach::site::{Recorded, Setting, Site, SiteState, session, session_mut};
 use goodbot::feedback::{Feedback, Strategy};
 use goodbot::language::Synonyms;
@@ -27,14 +28,14 @@ use goodbot::task::LiftedTask;
 use goodbot::{Agent, Capacities};
 use goodbot_console::load::kinds::with_kinds;
 use goodbot_console::load::words::said_in_known_words;
-use goodbot_console::restored::{learn_fully, room_for, room_for_tasks};
-use goodbot_console::{Believes, Failure, Starter, restored, say};
+use goodbot_console::restored::{learn_fully, restore_or_join, room_for, room_for_tasks};
+use goodbot_console::{Believes, Failure, Starter, say};
 use goodbot_course::exercise::Intention;
 use goodbot_course::{SimulatedTrainer, generator};
 use goodbot_formats::environment::EnvironmentFile;
 use goodbot_lesson::first_words::{read, words_read};
 use goodbot_lesson::live::{Lesson, LiveError};
-use mind::{StarterSessions, build, expect, kinds_of_task, new_mind};
+use mind::{StarterSessions, expect, new_mind};
 use rand_pcg::Pcg32;
 use std::borrow::Cow;
 
@@ -72,40 +73,30 @@ pub struct Pupil {
 }
 
 impl Pupil {
-    /// A robot without training, in a home or another world. `seed` determines its choices among equal actions. `ways` says whether
-    /// commands may mean ways. `believes` is its expected trainer, by default real people.
-    pub fn new(file: &Setting, seed: u64, ways: bool, believes: Option<Believes>) -> Result<Self, Failure> {
-        let (rooms, start) = build(file)?;
-        let lifted = kinds_of_task(&rooms, ways)?;
-        let mind = new_mind(&Capacities::STANDARD, Capacities::STANDARD.pairs, &lifted, believes.as_ref())?;
-        let lesson = Lesson::new(mind, rooms, start);
-        let starter_sessions = StarterSessions::default();
-        Ok(Self {
-            lesson,
+    /// A robot in a place, without training of its own, whose commands may mean these kinds of task. `seed` determines its choices among
+    /// equal actions. `believes` is its expected trainer, by default real people.
+    pub fn new(
+        (rooms, start): (Site, SiteState),
+        lifted: &[LiftedTask],
+        seed: u64,
+        believes: Option<Believes>,
+        starter: Starter,
+    ) -> Result<Self, Failure> {
+        let mind = new_mind(&Capacities::STANDARD, Capacities::STANDARD.pairs, lifted, believes.as_ref())?;
+        let mut pupil = Self {
+            lesson: Lesson::new(mind, rooms, start),
             start,
             id: None,
             intended: None,
             random: generator(seed),
             believes,
-            starter_sessions,
+            starter_sessions: StarterSessions::new(starter),
             listened: None,
             unread: 0,
             synonyms: Synonyms::NONE,
-        })
-    }
-
-    /// The same robot with these kinds of task, and without training.
-    pub fn with_kinds(mut self, lifted: &[LiftedTask]) -> Result<Self, Failure> {
-        let mind = new_mind(&Capacities::STANDARD, Capacities::STANDARD.pairs, lifted, self.believes.as_ref())?;
-        self.lesson.replace_agent(mind);
-        Ok(self)
-    }
-
-    /// The same robot with a starter, and without training of its own.
-    pub fn with_starter(mut self, starter: Starter) -> Result<Self, Failure> {
-        self.starter_sessions = StarterSessions::new(starter);
-        self.start_anew()?;
-        Ok(self)
+        };
+        pupil.start_anew()?;
+        Ok(pupil)
     }
 
     /// The words, with unknown words replaced by known synonyms.
@@ -134,11 +125,8 @@ impl Pupil {
     pub fn restore(&mut self, bytes: &[u8]) -> Result<(), Failure> {
         let contents = Contents::read(bytes)?;
         let mut mind = self.new_mind(&room_for(&contents), room_for_tasks(&contents))?;
-        if contents.vocabulary == 0 || contents.vocabulary == mind.vocabulary() {
-            mind.restore(bytes)?;
-        } else {
+        if !restore_or_join(&mut mind, &contents, bytes)? {
             say!("this model was learned elsewhere: its words are taken along, its belief about the trainer is not");
-            let _ = mind.join(&restored::words(bytes)?)?;
         }
         if self.believes.is_some() {
             expect(&mut mind, self.believes.as_ref())?;
@@ -160,12 +148,12 @@ impl Pupil {
             None => self.lesson.agent.saved()?,
         };
         // A world names its own kinds of task.
-        Ok(if self.lesson.home().as_floor().is_some() { with_kinds(model, self.lesson.agent.lifted()) } else { model })
+        Ok(if self.is_in_world() { model } else { with_kinds(model, self.lesson.agent.lifted()) })
     }
 
     /// Moves the robot to another home. A session under way ends unlearned.
     pub fn enter(&mut self, file: &EnvironmentFile) -> Result<(), Failure> {
-        if self.lesson.home().as_other().is_some() {
+        if self.is_in_world() {
             let message = "this robot is in a world from a file, and its commands mean nothing in a home; teach another one there";
             return Err(Failure::Input(message.to_owned()));
         }
@@ -180,20 +168,18 @@ impl Pupil {
         self.lesson.put(self.start);
     }
 
-    /// The home as it is now; `None` in another world.
-    pub fn scene(&self) -> Option<Scene> {
+    /// The place as it is now. A place always has a state of its own kind, so this is never `None`.
+    pub fn shown(&self) -> Option<Shown> {
         match (self.lesson.home(), self.lesson.state()) {
-            (Site::Floor(home), SiteState::Floor(state)) => Some(scene(home, state)),
+            (Site::Floor(home), SiteState::Floor(state)) => Some(Shown::Floor(scene(home, state))),
+            (Site::Other(robot), SiteState::Other(state)) => Some(Shown::Other(table(robot, *state))),
             _ => None,
         }
     }
 
-    /// The world from a file as it is now; `None` in a home.
-    pub fn table(&self) -> Option<Table> {
-        match (self.lesson.home(), self.lesson.state()) {
-            (Site::Other(robot), SiteState::Other(state)) => Some(table(robot, *state)),
-            _ => None,
-        }
+    /// Whether it is in a world from a file.
+    pub fn is_in_world(&self) -> bool {
+        self.lesson.home().as_other().is_some()
     }
 
     /// The position of the intended task, if it is known.

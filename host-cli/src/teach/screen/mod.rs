@@ -9,7 +9,7 @@ mod thoughts;
 
 use super::keys::Focus;
 use super::palette::Palette;
-use super::site::{Scene, Table};
+use super::site::Shown;
 use super::visit::{Page, Phase, Visit};
 use goodbot_console::counted;
 use goodbot_console::printed::printable;
@@ -87,14 +87,10 @@ fn draw_title(frame: &mut Frame<'_>, area: Rect, visit: &Visit, palette: Palette
 }
 
 fn draw_middle(frame: &mut Frame<'_>, area: Rect, visit: &Visit, palette: Palette) {
-    let place = match (visit.classroom.pupil.scene(), visit.classroom.pupil.table()) {
-        (Some(scene), _) => Shown::Home(scene),
-        (None, Some(table)) => Shown::World(table),
-        (None, None) => return,
-    };
+    let Some(place) = visit.classroom.pupil.shown() else { return };
     let (columns, rows) = match &place {
-        Shown::Home(scene) => plan::wanted(scene),
-        Shown::World(table) => plan::wanted_by_table(table),
+        Shown::Floor(scene) => plan::wanted(scene),
+        Shown::Other(table) => plan::wanted_by_table(table),
     };
     if area.width < BESIDE {
         let for_guesses = GUESSES.min(area.height / 2);
@@ -112,25 +108,20 @@ fn draw_middle(frame: &mut Frame<'_>, area: Rect, visit: &Visit, palette: Palett
     thoughts::draw_words(frame, below, visit, palette);
 }
 
-/// The place of the robot.
-enum Shown {
-    Home(Scene),
-    World(Table),
-}
-
+/// Draws the place of the robot.
 fn draw_place(frame: &mut Frame<'_>, area: Rect, place: &Shown, visit: &Visit, palette: Palette) {
     let block = match place {
-        Shown::Home(_) => framed("Home", palette),
-        Shown::World(table) => framed(&table.name, palette),
+        Shown::Floor(_) => framed("Home", palette),
+        Shown::Other(table) => framed(&table.name, palette),
     };
     let inner = block.inner(area);
     frame.render_widget(block, area);
     match place {
-        Shown::Home(scene) => {
+        Shown::Floor(scene) => {
             let moved = visit.acted().map_or("", |acted| acted.action.as_str());
             plan::draw(frame, inner, scene, moved, palette);
         }
-        Shown::World(table) => plan::draw_table(frame, inner, table, palette),
+        Shown::Other(table) => plan::draw_table(frame, inner, table, palette),
     }
 }
 

@@ -6,7 +6,7 @@ use super::*;
 use crate::teach::classroom::Classroom;
 use crate::teach::keys::Intent;
 use crate::teach::lessons::{Tour, first_home};
-use crate::teach::pupil::Pupil;
+use crate::teach::pupil::{Pupil, build, kinds_of_task};
 use crate::teach::site::Setting;
 use crate::teach::visit::time::Pace;
 use goodbot_formats::environment::EnvironmentFile;
@@ -16,8 +16,15 @@ use ratatui::backend::TestBackend;
 use ratatui::style::Color;
 use std::time::Duration;
 
+/// A robot without training in a place.
+fn pupil(setting: &Setting) -> Pupil {
+    let place = build(setting).unwrap();
+    let lifted = kinds_of_task(&place.0, false).unwrap();
+    Pupil::new(place, &lifted, 1, None, goodbot_console::Starter::default()).unwrap()
+}
+
 fn visit(home: &EnvironmentFile, tour: bool) -> Visit {
-    let pupil = Pupil::new(&Setting::Floor(home.clone()), 1, false, None).unwrap();
+    let pupil = pupil(&Setting::Floor(home.clone()));
     let tour = tour.then(|| Tour::new(None, std::iter::empty()));
     Visit::new(Classroom::new(pupil, None, tour).unwrap(), Pace::Normal, 1)
 }
@@ -25,7 +32,7 @@ fn visit(home: &EnvironmentFile, tour: bool) -> Visit {
 /// The beginning of a visit in a world from a file.
 fn in_world(text: &str) -> Visit {
     let world = std::sync::Arc::new(goodbot_formats::world::WorldFile::parse(text).unwrap());
-    Visit::new(Classroom::new(Pupil::new(&Setting::Other(world), 1, false, None).unwrap(), None, None).unwrap(), Pace::Normal, 1)
+    Visit::new(Classroom::new(pupil(&Setting::Other(world)), None, None).unwrap(), Pace::Normal, 1)
 }
 
 fn drawn(visit: &Visit, columns: u16, rows: u16, palette: Palette) -> TestBackend {

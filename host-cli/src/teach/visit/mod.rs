@@ -218,7 +218,7 @@ impl Visit {
             Intent::NextLesson if self.stop().is_some() => self.message = "In the tour the lessons are given.".to_owned(),
             Intent::NextLesson => self.propose()?,
             Intent::AnotherHome if self.stop().is_some() => self.message = "In the tour the homes are given.".to_owned(),
-            Intent::AnotherHome if self.classroom.pupil.table().is_some() => {
+            Intent::AnotherHome if self.classroom.pupil.is_in_world() => {
                 self.message = "This robot is in a world from a file. Leave, and start it with another file.".to_owned();
             }
             Intent::AnotherHome => {

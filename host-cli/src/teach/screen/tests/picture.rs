@@ -39,7 +39,7 @@ fn the_pictures_of_the_screen_in_the_documentation_are_those_of_today() {
         ("vacuum", Setting::Other(std::sync::Arc::new(world)), Some(("clean the kitchen", "roomClean(room1)"))),
     ];
     for (name, setting, own) in settings {
-        let drawn = svg(&lesson(Pupil::new(&setting, 1, false, None).unwrap(), own), 80, 24);
+        let drawn = svg(&lesson(pupil(&setting), own), 80, 24);
         let file = format!("{DOCS}/{name}.svg");
         if std::env::var_os("GOODBOT_PICTURES").is_some() {
             std::fs::write(&file, &drawn).unwrap();
