@@ -8,9 +8,12 @@ use crate::task::machine_command::Tokens;
 use crate::task::role::RoleKind;
 use heapless::Vec;
 
+/// The number of values that are kept. A controller has fewer words, and little stack.
+const MOST_VALUES: usize = if cfg!(feature = "alloc") { 4 * TOKENS_PER_COMMAND } else { TOKENS_PER_COMMAND };
+
 /// The values that lessons spoke of, each with its sort, in the order in which lessons had them.
 pub(super) struct Spoken {
-    values: Vec<(u8, Symbol), { 2 * TOKENS_PER_COMMAND }>,
+    values: Vec<(u8, Symbol), MOST_VALUES>,
     /// Whether they are all; otherwise lessons are searched each time.
     are_all: bool,
 }

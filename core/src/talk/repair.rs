@@ -31,9 +31,10 @@ const OF_LAST: f32 = 100.0;
 /// The most names of an utterance that are looked at, and the most repairs that are weighed: those by a name, and those without.
 const NAMES: usize = 6;
 const BY_NAME: usize = 4;
-/// The most names of words of which one tells a place by a thing.
+/// With more names than this, none is read as telling the place by a thing; and how many may tell it.
 const BESIDE: usize = 3;
-pub(super) const WEIGHED: usize = BY_NAME + Shape::WITHOUT_NAME.len() + 3;
+const TELLING: usize = 2;
+pub(super) const WEIGHED: usize = BY_NAME + Shape::WITHOUT_NAME.len() + 1 + TELLING;
 
 /// What a repair takes back.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -144,7 +145,7 @@ fn repair<'w>(words: Words<'w>, names: &[Range<usize>], first: usize, by: usize,
 }
 
 /// The words that stand if the last name, or else the first, tells the place by a thing: those from another name on, if there is one.
-fn beside<'w>(words: Words<'w>, names: &[Range<usize>]) -> Vec<Words<'w>, 2> {
+fn beside<'w>(words: Words<'w>, names: &[Range<usize>]) -> Vec<Words<'w>, TELLING> {
     let mut stand = Vec::new();
     match names {
         [_] => drop(stand.push(words.only(|_| false))),
@@ -267,10 +268,12 @@ impl<M: AgentMemory> Agent<M> {
             return self.explain_words(domain, stands, view, Context { told: Some(&told), ..context }, None, explained);
         }
         if shape == Shape::Beside {
+            // All other names stand.
             let by = stands.whole().only(is_of_name).without(stands);
-            let told = self.told_by(domain, by, true, context, explained)?;
+            let there = self.told_by(domain, by, true, context.wording, explained)?.unwrap_or(TaskSet::EMPTY);
             let is_of_thing = |task: &usize| self.place_of_thing(domain, *task).is_some();
-            let tasks = told.iter().filter(|task| is_of_thing(task) != stands.is_empty()).collect();
+            // If no other name stands, the robot itself goes there.
+            let tasks = there.iter().filter(|task| is_of_thing(task) != stands.is_empty()).collect();
             let told = ToldTasks { tasks, is_place: true };
             return self.explain_words(domain, stands, view, Context { told: Some(&told), ..context }, None, explained);
         }

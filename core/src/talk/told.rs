@@ -122,32 +122,30 @@ impl<M: AgentMemory> Agent<M> {
         explained: &mut Explained,
     ) -> Result<Option<ToldTasks>, AgentError> {
         let Some(Apart { words: rest, by, is_place }) = apart(*words) else { return Ok(None) };
-        let context = Context::of(wording);
-        let tasks = self.told_by(domain, by, is_place, context, explained)?;
-        if tasks.is_empty() {
-            self.explain_all(domain, *words, View::PLAIN, context, explained)?;
+        let Some(tasks) = self.told_by(domain, by, is_place, wording, explained)? else {
+            self.explain_all(domain, *words, View::PLAIN, Context::of(wording), explained)?;
             return Ok(None);
-        }
+        };
         *words = rest;
         Ok(Some(ToldTasks { tasks, is_place }))
     }
 
-    /// The tasks whose place, or else thing, is told by the names of a thing that is there, or of the place where it is; none if no thing
-    /// here, or no place, has such names.
+    /// The tasks whose place, or else thing, is told by the names of a thing that is there, or of the place where it is. `None` if no thing
+    /// here, or no place, has such names; no tasks if there is one, but nothing is there.
     pub(super) fn told_by<D: Domain>(
         &mut self,
         domain: &D,
         names: Words<'_>,
         is_place: bool,
-        context: Context<'_>,
+        wording: &Wording<'_>,
         explained: &mut Explained,
-    ) -> Result<TaskSet, AgentError> {
-        self.explain_words(domain, names, View::PLAIN, Context::of(context.wording), None, explained)?;
+    ) -> Result<Option<TaskSet>, AgentError> {
+        self.explain_words(domain, names, View::PLAIN, Context::of(wording), None, explained)?;
         let is_of_thing = |task: usize| self.place_of_thing(domain, task).is_some();
         let named = if is_place { explained.own } else { explained.fitting };
         // "Beside the red room" names no thing.
-        if is_place && !named.iter().all(is_of_thing) {
-            return Ok(TaskSet::EMPTY);
+        if named.is_empty() || is_place && !named.iter().all(is_of_thing) {
+            return Ok(None);
         }
         let there = named.common(self.done(domain));
         let object = |task: usize| if is_place { self.goal(domain, task) } else { self.thing(task) };
@@ -155,6 +153,6 @@ impl<M: AgentMemory> Agent<M> {
             let is_there = |other: usize| is_of_thing(other) && object(other) == object(task);
             (is_place || is_of_thing(task)) && there.iter().any(is_there)
         };
-        Ok((0..self.tasks().len()).filter(fits).collect())
+        Ok(Some((0..self.tasks().len()).filter(fits).collect()))
     }
 }

@@ -40,14 +40,17 @@ pub(super) struct Wording<'c> {
     toward: Marks,
 }
 
-/// A mark for each of the first words of lessons, one bit each. The table of closed words is a text, so each word is looked up once.
-type Marks = [u64; MOST_WORDS.div_ceil(64)];
+/// A mark for each of the first [`MOST_WORDS`] words of lessons, one bit each. The table of closed words is a text, so each word is looked up
+/// once.
+type Marks = [u64; MOST_WORDS / 64];
+
+const _: () = assert!(MOST_WORDS.is_multiple_of(64));
 
 impl<'c> Wording<'c> {
     pub fn of(language: LanguageRef<'_>, closed: ClosedWords<'c>, facts: u8, (pause, observe): (Pause<'c>, Observe<'c>)) -> Self {
         let (bitext, words) = (language.bitext(), language.tables().words());
         let (mut plain, mut toward) = (Marks::default(), Marks::default());
-        for word in 0..words.min(MOST_WORDS) {
+        for word in 0..language.words().len().min(MOST_WORDS) {
             let classes = closed.of(language.words().text(Symbol(word as u16)));
             for (marks, holds) in [(&mut plain, is_plain(classes)), (&mut toward, classes.contains(Class::Toward))] {
                 marks.iter_mut().skip(word / 64).take(1).for_each(|marks| *marks |= u64::from(holds) << (word % 64));
@@ -90,7 +93,7 @@ fn is_plain(classes: Classes) -> bool {
     classes.contains_any(&[Class::Polite, Class::Connective, Class::All])
 }
 
-/// Whether a word is marked; `None` for one beyond the first.
+/// Whether a word is marked; `None` beyond the first [`MOST_WORDS`].
 fn has(marks: Marks, word: Symbol) -> Option<bool> {
     marks.get(word.index() / 64).map(|marks| marks >> (word.index() % 64) & 1 == 1)
 }

@@ -179,14 +179,20 @@ enum Asked {
 }
 
 fn asked(options: &AskOptions) -> Result<Asked, Failure> {
-    let commands = commands(options)?;
-    let world = match input::place(&options.environment)? {
+    let are_read = matches!(options.command.as_slice(), [only] if only == "-");
+    if are_read && options.environment.is_standard() {
+        let message = "the place and the commands cannot both come from standard input; name a file for the place";
+        return Err(Failure::Input(message.to_owned()));
+    }
+    let place = input::place(&options.environment)?;
+    if matches!(place, Place::World(_)) && (options.pull || options.starter.is_given()) {
+        return Err(Failure::Input("--pull and --starter are for homes; leave them out in a world from a file".to_owned()));
+    }
+    let commands = if are_read { lines()? } else { vec![options.command.join(" ")] };
+    let world = match place {
         Place::Home(home) => return Ok(Asked::Heard(Setting::Floor(home), commands)),
         Place::World(read) => read.world,
     };
-    if options.pull || options.starter.is_given() {
-        return Err(Failure::Input("--pull and --starter are for homes; leave them out in a world from a file".to_owned()));
-    }
     if !world.actions.is_empty() {
         return Ok(Asked::Heard(Setting::Other(Arc::new(world)), commands));
     }
@@ -202,18 +208,6 @@ fn asked(options: &AskOptions) -> Result<Asked, Failure> {
         told => Ok(Ok(told?)),
     };
     commands.iter().map(told).collect::<Result<_, Failure>>().map(Asked::Told)
-}
-
-/// The commands of the options, or those of standard input if it is not the place.
-fn commands(options: &AskOptions) -> Result<Vec<String>, Failure> {
-    match options.command.as_slice() {
-        [only] if only == "-" && options.environment.is_standard() => {
-            let message = "the home and the commands cannot both come from standard input; name a file for the home";
-            Err(Failure::Input(message.to_owned()))
-        }
-        [only] if only == "-" => lines(),
-        words => Ok(vec![words.join(" ")]),
-    }
 }
 
 /// The commands of standard input, one on each line.

@@ -805,6 +805,23 @@ fn a_thing_is_told_by_the_place_where_it_is() {
         ("take the bag from the red room to the blue room", "none", ""),
     ];
     check(&model, &three_rooms(), &cases);
+    let blocks = vec![("yellow", "bag", 1), ("red", "chair", 1)];
+    let home = Home { rooms: vec!["red", "blue", "green"], blocks, robot: 0 };
+    check(&model, &home, &[("take the chair from the green room to the red room", "none", "")]);
+}
+
+#[test]
+fn a_thing_tells_the_place_in_words_that_no_list_has() {
+    let (_folder, model) = taught(120, &ENGLISH);
+    let blocks = vec![("yellow", "bag", 1), ("red", "chair", 3), ("purple", "chair", 2)];
+    let home = Home { rooms: vec!["red", "blue", "green", "purple"], blocks, robot: 0 };
+    let cases = [
+        ("park the red chair in the same room as the bag", "sure", "blockInRoom(block1,room1)"),
+        ("put the purple chair in the same room as the bag", "sure", "blockInRoom(block2,room1)"),
+        ("in the same room as the bag put the red chair", "sure", "blockInRoom(block1,room1)"),
+        ("go to the same room as the bag", "sure", "agentInRoom(agent0,room1)"),
+    ];
+    check(&model, &home, &cases);
 }
 
 #[test]

@@ -34,7 +34,7 @@ pub struct Example<'e> {
     pub clues: &'e [u16],
     /// Their values.
     pub values: &'e [f32],
-    /// The words of its utterance, as features.
+    /// The words of its utterance, as features, which all its readings share.
     pub words: &'e [(u32, String)],
     /// The words between two commands, or in a repair.
     pub between: &'e [(u32, String)],
@@ -212,7 +212,7 @@ fn fit_some(utterances: &[Vec<Example<'_>>], kept: &[bool], price: f32) -> (Vec<
         for at in (1..order.len()).rev() {
             order.swap(at, next(&mut random) as usize % (at + 1));
         }
-        for (readings, kept) in order.iter().map(|&at| (&utterances[at], &words[at])) {
+        for (readings, words) in order.iter().map(|&at| (&utterances[at], &words[at])) {
             let salt = next(&mut random);
             // Of every utterance and in every round other words are hidden, but the same ones from all of its readings (Steele, Lea and Flood
             // 2014, *Fast splittable pseudorandom number generators*).
@@ -222,21 +222,21 @@ fn fit_some(utterances: &[Vec<Example<'_>>], kept: &[bool], price: f32) -> (Vec<
                 drawn as f64 >= HIDDEN * f64::from(1 << 24)
             };
             heard.clear();
-            heard.extend(kept.words.iter().copied().filter(is_heard));
+            heard.extend(words.words.iter().copied().filter(is_heard));
             let of_word = |hash: u32, kind: usize| [0, kind].map(|kind| WORDS + kind * HASHED + hash as usize);
             let mut of_kind = [None; KINDS + 1];
             odds.clear();
-            for (reading, between) in readings.iter().zip(&kept.between) {
+            for (reading, between) in readings.iter().zip(&words.between) {
                 let weight = |of: usize| learned[of].weight;
                 let of_words = |hash: u32| of_word(hash, reading.kind).into_iter().map(weight).sum::<f32>() * HEARD_WORD;
-                let words = of_kind[reading.kind].get_or_insert_with(|| heard.iter().map(|&hash| of_words(hash)).sum::<f32>());
+                let of_all = of_kind[reading.kind].get_or_insert_with(|| heard.iter().map(|&hash| of_words(hash)).sum::<f32>());
                 let clues = reading.clues_of_both().map(|(clue, value)| learned[clue].weight * value).sum::<f32>();
                 let between = between.iter().filter(|hash| is_heard(hash)).map(|&hash| of_words(hash)).sum::<f32>();
-                odds.push(libm::expf((bias.weight + *words + clues + between).clamp(-30.0, 30.0)));
+                odds.push(libm::expf((bias.weight + *of_all + clues + between).clamp(-30.0, 30.0)));
             }
             let all = 1.0 + odds.iter().sum::<f32>();
             let right: f32 = odds.iter().zip(readings).filter(|(_, reading)| reading.holds).map(|(odds, _)| odds).sum();
-            for ((&odds, reading), between) in odds.iter().zip(readings).zip(&kept.between) {
+            for ((&odds, reading), between) in odds.iter().zip(readings).zip(&words.between) {
                 let wanted = if reading.holds { odds / right } else { 0.0 };
                 let slope = odds / all - wanted;
                 bias.learn(slope, 0.0);
@@ -265,6 +265,24 @@ mod tests {
         let right_and_wrong = [fitted.odds(&example(0)), fitted.odds(&example(1))];
         assert!(fitted.clues[0] > 60 && fitted.clues[1] < -60 && fitted.clues[2].abs() < 20, "{:?}", &fitted.clues[..6]);
         assert!(right_and_wrong[0] > 4.0 && right_and_wrong[1] < 0.25, "{right_and_wrong:?}");
+    }
+
+    #[test]
+    fn of_two_words_that_are_always_said_together_each_tells_something() {
+        let words = [7, 300].map(|hash| (hash, String::new()));
+        let example = |holds: bool| Example {
+            clues: &[0],
+            values: &[1.0],
+            words: if holds { &words } else { &[] },
+            between: &[],
+            kind: 2,
+            to_kind: 3,
+            holds,
+        };
+        let utterances: Vec<Vec<Example<'_>>> = (0..80_u8).map(|at| vec![example(at.is_multiple_of(2))]).collect();
+        let fitted = fit(&utterances, &|_| true, Prices { square: 0.01, most: 4 });
+        let [one, other] = [7, 300].map(|hash| f64::from(fitted.senses[usize::from(fitted.words[&hash])][1]) * fitted.scale_of_words);
+        assert!(one > 1.0 && other > 1.0 && (one - other).abs() < one, "{one} {other}");
     }
 
     #[test]

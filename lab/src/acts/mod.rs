@@ -181,13 +181,14 @@ pub fn run(options: &ActsOptions) -> Result<(), Failure> {
 }
 
 /// The readings of all sets; one that is listed twice counts twice, but is read once.
-fn read(sets: &[Set], acts: bool) -> Result<Vec<Said>, Failure> {
+fn read(sets: &[Set], is_first_look: bool) -> Result<Vec<Said>, Failure> {
     let first = |at: usize| sets.iter().position(|set| set.reads_as(&sets[at])).unwrap_or(at);
     let firsts: Vec<usize> = (0..sets.len()).map(first).collect();
     let progress = bar(sets.len(), "reading sentences");
     let read = |(at, set)| {
+        let said = if firsts[at] == at { readings::of(set, is_first_look) } else { Ok(Vec::new()) };
         progress.inc(1);
-        if firsts[at] == at { readings::of(set, acts) } else { Ok(Vec::new()) }
+        said
     };
     let mut said: Vec<Vec<Said>> = sets.par_iter().enumerate().map(read).collect::<Result<_, _>>()?;
     progress.finish_and_clear();

@@ -45,7 +45,7 @@ pub struct Meaning {
 impl Set {
     /// Whether a robot reads the sentences of both in the same way.
     pub fn reads_as(&self, other: &Self) -> bool {
-        [&self.model, &self.home, &self.file] == [&other.model, &other.home, &other.file]
+        self.language == other.language && [&self.model, &self.home, &self.file] == [&other.model, &other.home, &other.file]
     }
 }
 
