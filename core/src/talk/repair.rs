@@ -206,7 +206,7 @@ impl<M: AgentMemory> Agent<M> {
                 let _ = best.push(self.repaired(domain, words, repair, explained, context)?);
             }
         }
-        for stands in beside(words, &names).into_iter().filter(|_| context.told.is_none()) {
+        for &stands in beside(words, &names).iter().filter(|_| context.told.is_none()) {
             let repair = Repair { words: stands, between: words.only(|word| !word.is_name), shape: Shape::Beside };
             let repaired = self.repaired(domain, words, repair, explained, context)?;
             if !repaired.judged.tasks.is_empty() {
@@ -356,7 +356,7 @@ mod tests {
             ("en", "please wait", std::vec![]),
         ];
         for_each(&rows, &|sentence, words, parts| {
-            let read: std::vec::Vec<_> = beside(words, &names(words)).into_iter().map(|stands| left(sentence, stands)).collect();
+            let read: std::vec::Vec<_> = beside(words, &names(words)).iter().map(|&stands| left(sentence, stands)).collect();
             assert_eq!(read, *parts, "{sentence}");
         });
     }
