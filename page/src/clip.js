@@ -8,6 +8,8 @@ import { draw } from './state.js';
 const [WIDTH, TOP, BOTTOM] = [720, 96, 64];
 // In milliseconds: before the first step, for all steps, and after the last one. Together they are less than five seconds.
 const [BEFORE, STEPS, AFTER] = [600, 3100, 900];
+// A film without pictures has fewer bytes. The browser packs pictures so often, and is waited for so long, in milliseconds.
+const [EMPTY, EVERY, LONGEST] = [1000, 500, 20000];
 const INK = '#2c3346';
 const HOUSE = '.floor{fill:var(--tint);opacity:.32}.hatch{fill:none;stroke:var(--tint);opacity:.3}.wall{fill:none;stroke:#2c3346;stroke-width:8;stroke-linecap:round}.again,.dots,.swing,.roomname,.heart{display:none}.sill{stroke:#fffaf0;stroke-width:9}.solid{stroke:#2a2f40;stroke-width:2}';
 
@@ -87,9 +89,9 @@ export async function clipOf(home, task, above, below) {
     const began = performance.now();
     const next = () => {
       const passed = performance.now() - began;
+      if (passed >= BEFORE + STEPS + AFTER) return done(undefined);
       show(Math.max(0, passed - BEFORE) / STEPS, passed);
-      if (passed < BEFORE + STEPS + AFTER) requestAnimationFrame(next);
-      else done(undefined);
+      return requestAnimationFrame(next);
     };
     next();
   });
@@ -104,10 +106,18 @@ export async function recorded({ canvas, play }) {
   const recorder = new MediaRecorder(canvas.captureStream(30), { mimeType: clipType(), videoBitsPerSecond: 1500000 });
   /** @type {Blob[]} */
   const parts = [];
-  recorder.ondataavailable = ({ data }) => parts.push(data);
+  // A busy machine is behind with its pictures, and those that it has not packed when it is stopped are lost.
+  const packed = new Promise(done => {
+    recorder.ondataavailable = ({ data }) => {
+      parts.push(data);
+      if (new Blob(parts).size > EMPTY) done(undefined);
+    };
+    setTimeout(done, LONGEST);
+  });
   const ended = new Promise(done => { recorder.onstop = done; });
-  recorder.start();
+  recorder.start(EVERY);
   await play();
+  await packed;
   recorder.stop();
   await ended;
   return new Blob(parts, { type: recorder.mimeType });
