@@ -268,7 +268,7 @@ impl<M: AgentMemory> Agent<M> {
             insert(&mut explained.of_one, named.is_of_one(&neighbours, &description));
             let share = if recalled.is_some() || context.told.is_some() { share_among(tasks, position, &is_meant) } else { 1.0 };
             let prior = share * task.prior;
-            // "The bag where it is" is not about the robot's place.
+            // "Keep the bag here" is not about the robot's place.
             let is_possible = share > 0.0 && (is_own || !recalled.is_some_and(|recalled| recalled.is_here()));
             let whole = if is_possible { explain(&description, None) } else { Scaled::ZERO };
             let is_other = !acts && context.earlier.kind.is_some_and(|kind| kind != task.lifted);

@@ -38,14 +38,10 @@ pub(super) struct Heard {
     pub is_mended: bool,
     /// Whether it is a word of direction, such as "to".
     pub is_toward: bool,
-    /// Whether it is "forget".
-    pub forgets: bool,
     /// Whether it is an article: "el".
     pub is_article: bool,
     /// Whether it leaves a thing in its place, such as "leave".
     pub leaves: bool,
-    /// Whether its command is done first, such as "first", and "after" between two commands.
-    pub comes_first: bool,
     /// Whether it is "have" before a participle.
     pub is_perfect: bool,
     /// Whether it tells a place by the thing named next, such as "where" and "beside".
@@ -68,12 +64,10 @@ pub(super) struct Heard {
 pub(super) type Utterance = Vec<Heard, WORDS_PER_COMMAND>;
 
 impl Heard {
-    pub fn new(language: LanguageRef<'_>, symbol: Option<Symbol>, classes: Classes) -> Self {
+    pub fn new(language: LanguageRef<'_>, symbol: Option<Symbol>, of_table: Classes) -> Self {
         let tables = language.tables();
-        let of_table = classes;
         let (is_toward, is_article, is_beside) = (of_table.contains(Class::Toward), of_table.contains(Class::Clitic), of_table.is_beside());
         let acts_as = |class| of_table.contains(Class::Act) && of_table.contains(class);
-        let is_perfect = acts_as(Class::Asking);
         let classes = of_table.about_commands();
         let (is_polite, common) = (classes.contains(Class::Polite), common(tables, symbol));
         let share = |known: Option<f32>, new: f32| known.map_or(new, |share| (1.0 - new) * share);
@@ -96,11 +90,9 @@ impl Heard {
             is_new: classes == Classes::NONE && !is_toward && !is_beside && !is_article && is_unknown(language, symbol),
             is_mended: false,
             is_toward,
-            forgets: of_table.forgets(),
             is_article,
             leaves: acts_as(Class::Out),
-            comes_first: acts_as(Class::Polite) && !is_perfect,
-            is_perfect,
+            is_perfect: acts_as(Class::Asking),
             is_beside,
             is_sign: false,
             piece: 0,
@@ -114,21 +106,6 @@ impl Heard {
     /// The word "it" joined to a verb.
     pub fn joined(language: LanguageRef<'_>) -> Self {
         Self::new(language, None, Classes::of(Class::It).with(Class::Pronoun))
-    }
-
-    /// Reads it as a polite word.
-    pub const fn make_polite(&mut self) {
-        (self.factor, self.said.chatter, self.classes) = (1.0, POLITE, Classes::of(Class::Polite));
-    }
-
-    /// Marks a word that says nothing against the command: "if you don't mind", "don't forget to". A word of the lessons keeps its
-    /// reading.
-    pub fn excuse(&mut self) {
-        self.forgets = false;
-        if !self.is_of_lessons() {
-            self.make_polite();
-            self.is_new = false;
-        }
     }
 
     /// Whether it is of a class.
@@ -179,11 +156,6 @@ impl Heard {
     /// Whether it may be an act word, or a direction.
     pub const fn may_act(&self) -> bool {
         self.is_new || self.is_of_task
-    }
-
-    /// Whether it may be a verb.
-    pub const fn may_be_verb(&self) -> bool {
-        self.may_act() && !self.is_toward
     }
 
     /// Whether it is a known act word, and no direction.

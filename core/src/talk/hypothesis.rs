@@ -197,8 +197,7 @@ impl<M: AgentMemory> Agent<M> {
         let is_of_two = parting.is_some() && (is_past(words) || explained.own.is_empty() && new_names(words) == 0);
         // If all things of a place are taken to another, the name of the place names no thing.
         let of_all = all(words);
-        let is_of_all = of_all.as_ref().is_some_and(|rest| !rest.from.is_empty());
-        let of_one = if is_of_two || is_of_all { FOREIGN } else { 1.0 };
+        let of_one = if is_of_two || of_all.as_ref().is_some_and(|rest| !rest.from.is_empty()) { FOREIGN } else { 1.0 };
         weighed.add(Hypothesis::Command, explained.here.scaled_by(of_one * COMMAND));
         let nothing = NOTHING * if context.told.is_some() { FOREIGN } else { 1.0 };
         weighed.add(Hypothesis::Nothing, without_task(words, wording.end, &|_, word| word.without_task).scaled_by(nothing));

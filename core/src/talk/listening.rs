@@ -6,7 +6,7 @@ use super::explained::Explained;
 use super::heard::Utterance;
 use super::hypothesis::{Hypothesis, Judged};
 use super::mended::mend;
-use super::reworded::REWORDINGS;
+use super::syntax::without_leaving;
 use super::verdict::Verdict;
 use super::wording::{Observe, Pause, Wording, take_pause};
 use super::words::Words;
@@ -23,8 +23,6 @@ use crate::task::{GroundedTask, TaskSet};
 use crate::voice::classes::ClosedWords;
 use heapless::Vec;
 
-/// The prior of a reworded command, such as one with its place in front: "to the red room take the bag".
-const TURNED: f32 = 0.2;
 /// The probability that a thing already in place is meant when all are to be brought.
 const NOT_MEANT: f32 = 1e-4;
 
@@ -207,28 +205,23 @@ impl<M: AgentMemory> Agent<M> {
         let wording = Wording::of(language, closed, (domain.world().schema.attributes.len() << 1) as u8, pause);
         let has_slips = mend(language, closed, utterance, &words, &mut mended)?;
         let sorts = &Sorts::of(utterance, closed.weights, &words, &mended);
-        // The first of several commands may be polite for all: "could you ... and then ...?"
+        // A question mark is about the whole utterance.
         let is_asked = !earlier.is_rest && utterance.chars().fold(false, ends_with_question_mark);
         let (mut words, mut explained) = (Words::new(&words, is_asked), Explained::NEW);
         let context = Context { earlier, ..Context::of(&wording) };
         self.explain_all(domain, words, View::PLAIN, context, &mut explained)?;
         if has_slips {
-            let mended = Words::new(&mended, is_asked);
-            self.try_wording(domain, &mut words, mended, 1.0, context, &mut explained)?;
+            self.try_wording(domain, &mut words, Words::new(&mended, is_asked), context, &mut explained)?;
         }
-        let told = self.tell_apart(domain, &mut words, &wording, &mut explained)?;
+        let told = self.tell_apart(domain, &mut words, context, &mut explained)?;
         let context = Context { told: told.as_ref(), ..context };
         if told.is_some() {
             self.explain_all(domain, words, View::PLAIN, context, &mut explained)?;
         }
-        // A simpler wording of one command leaves out what repairs it, such as "er", and turns the order of several.
-        let said = words;
-        for reword in REWORDINGS {
-            if let Some(other) = reword(words) {
-                self.try_wording(domain, &mut words, other, TURNED, context, &mut explained)?;
-            }
+        if let Some(left) = without_leaving(words) {
+            self.try_wording(domain, &mut words, left, context, &mut explained)?;
         }
-        let judged = self.judge(domain, (words, said, sorts), &mut explained, context)?;
+        let judged = self.judge(domain, words, sorts, &mut explained, context)?;
         let done = self.done(domain);
         let is_done = !judged.tasks.is_empty() && judged.tasks.without(done).is_empty();
         let verdict = if judged.is_accepted && (unread.is_none() || judged.rest.is_some()) {
@@ -252,13 +245,12 @@ impl<M: AgentMemory> Agent<M> {
         domain: &D,
         words: &mut Words<'w>,
         other: Words<'w>,
-        prior: f32,
         context: Context<'_>,
         explained: &mut Explained,
     ) -> Result<(), AgentError> {
         let here = explained.here;
         self.explain_all(domain, other, View::PLAIN, context, explained)?;
-        if explained.here.scaled_by(prior).exceeds(here) {
+        if explained.here.exceeds(here) {
             *words = other;
             return Ok(());
         }

@@ -7,9 +7,9 @@
 //! belief under the likeliest hypothesis, and returns a verdict on the utterance.
 //!
 //! The modules, in the order in which an utterance passes through them:
-//! - `pieces`: the words of the utterance; `heard`: one word; `words`: some of them; `excused`: words that negate nothing in their context;
+//! - `pieces`: the words of the utterance; `heard`: one word; `words`: some of them;
 //! - `slips`: known words that new ones may be slips for; `mended`: the words without slips;
-//! - `syntax`: whether they have a verb, ask, report, or have a condition; `reworded`: simpler wordings of them;
+//! - `syntax`: whether they have a verb, begin with a direction, name one thing, or are in the past;
 //! - `conversation`: earlier tasks and places; `recalled`: words that refer to them, such as "it" and "there";
 //! - `wording`: how commands are worded in the lessons; `context`: whether words come after another command;
 //! - `told`: places told by a thing, and things told by their place;
@@ -27,7 +27,6 @@ pub(crate) mod acceptance;
 mod context;
 mod conversation;
 mod correction;
-mod excused;
 mod explained;
 mod heard;
 mod hypothesis;
@@ -38,7 +37,6 @@ mod pieces;
 mod readings;
 mod recalled;
 mod repair;
-mod reworded;
 mod several;
 mod slips;
 mod syntax;

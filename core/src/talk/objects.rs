@@ -43,12 +43,4 @@ impl<M: AgentMemory> Agent<M> {
         let there: TaskSet = of_things.iter().filter(|&task| place(task) == place(likeliest)).collect();
         (there.common(explained.fitting), weigh(there).over(weigh(of_things)))
     }
-
-    /// Whether a task about a thing and its place is the only one that fits both names.
-    pub(super) fn is_only_one<D: Domain>(&self, domain: &D, explained: &Explained, task: usize) -> bool {
-        let place = self.place_of_thing(domain, task);
-        let alike = || (0..self.task_count).filter(|&other| place.is_some() && self.place_of_thing(domain, other) == place);
-        let fits = |task: &usize| explained.fitting.contains(*task);
-        fits(&task) && alike().count() > 1 && alike().filter(fits).count() == 1
-    }
 }

@@ -1,6 +1,5 @@
 //! The pieces of an utterance, and the words that they become: "llévalo" is "lleva" and "it".
 
-use super::excused::excuse;
 use super::heard::{Heard, Utterance, is_unknown};
 use super::slips::{SLIP, is_plural, slip_for};
 use crate::capacity::WORDS_PER_COMMAND;
@@ -54,7 +53,7 @@ impl<M: AgentMemory> Agent<M> {
             (number, start) = (number.saturating_add(1), next);
             Ok(())
         })?;
-        excuse(words);
+        mark_present_place(words);
         mark_verbs_before_way(words);
         unmark_adjectives(words);
         Ok(())
@@ -127,6 +126,23 @@ fn is_first(before: &Utterance) -> bool {
 fn is_slip_for_name(language: LanguageRef<'_>, text: &str, symbol: Symbol) -> bool {
     let known = language.words().text(symbol);
     is_name(language.tables(), Some(symbol)) && is_slip(known, text) && !text.starts_with(known)
+}
+
+/// Marks words for the present place. After a word such as "stay" or "leave", "where it is" means here; "stay out of the red room" is about
+/// no present place.
+fn mark_present_place(words: &mut [Heard]) {
+    if words.iter().any(|word| word.is_name) && words.iter().any(|word| word.is(Class::Out) && !word.leaves && !word.is(Class::Polite)) {
+        words.iter_mut().for_each(|word| word.classes = word.classes.without(Class::Here));
+        return;
+    }
+    let (mut stays, mut is_where) = (false, false);
+    for word in words {
+        stays |= word.leaves || word.is(Class::Here);
+        is_where |= stays && word.is(Class::Asking);
+        if is_where && word.is_any(&[Class::Asking, Class::Pronoun, Class::You]) {
+            word.classes = Classes::of(Class::Here);
+        }
+    }
 }
 
 /// In "把篮子提到", the new sign before the direction is a verb.

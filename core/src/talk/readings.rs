@@ -4,7 +4,6 @@ use super::acceptance::FAR;
 use super::context::View;
 use super::heard::Heard;
 use super::repair::{is_interregnum, names};
-use super::syntax::{begins_with_way, is_question, stays_by_name};
 use super::told::place_of_all;
 use super::words::{Words, learned};
 use crate::voice::classes::Class;
@@ -29,9 +28,6 @@ const UNNAMED: f32 = 54.598_15;
 const PLURAL: f32 = 1_000.0;
 /// The classes of words that negate a command.
 const NEGATING: [Class; 3] = [Class::Negation, Class::Out, Class::But];
-/// The number of words after "all" that may name the things.
-const NAME_OF_ALL: usize = 2;
-
 /// So many words before a name, and after it, are near it.
 const BEFORE_NAME: u8 = 3;
 const AFTER_NAME: u8 = 2;
@@ -51,21 +47,15 @@ pub(super) struct WithoutCues<'w> {
     /// The prior of this reading.
     pub prior: f32,
     pub view: View,
-    /// Whether the reading is certain, given its tasks.
+    /// Whether known cues tell it, and none speaks for an exception.
     pub is_clear: bool,
-    /// Whether it needs no act word: "leave the red room".
-    pub needs_no_act: bool,
-    /// The same for a task about a thing. "Leave the chair in the red room" is the opposite of "out of the red room".
-    pub things_need_no_act: bool,
-    /// Whether it may say that a thing stays: "leave the chair in the red room".
-    pub stays: bool,
     /// Whether it negates a negation: "don't leave the red room".
     pub is_double: bool,
 }
 
 /// The words without the cues of some classes, and the probability of these cues. Adjacent cues count once: "out of", "all things".
 fn without<'w>(words: Words<'w>, cues: &[Class]) -> Option<(Words<'w>, f32)> {
-    let takes_out = cues.contains(&Class::Out) && is_out(words);
+    let takes_out = cues.contains(&Class::Out) && words.has(Class::Out);
     let (mut probability, mut is_after_cue) = (1.0, false);
     let rest = words.only(|word| {
         let is_cue = word.is_any(cues);
@@ -76,140 +66,55 @@ fn without<'w>(words: Words<'w>, cues: &[Class]) -> Option<(Words<'w>, f32)> {
         is_after_cue = is_cue && !word.is(Class::From);
         !(is_cue || is_from)
     });
-    // The new verb of "clear the chairs from the red room" is the cue.
-    probability *= if takes_out && !words.has(Class::Out) { CUE } else { 1.0 };
-    Some((rest.if_fewer(words)?, probability)).filter(|(rest, _)| !rest.is_empty())
-}
-
-/// Whether a place is to be left.
-fn is_out(words: Words<'_>) -> bool {
-    words.has(Class::Out) || is_taken_from(words)
-}
-
-/// Whether a new verb takes something away from a place: "clear the chairs from the red room".
-fn is_taken_from(words: Words<'_>) -> bool {
-    let begins_with_verb = words.iter().find(|word| word.is_open()).is_some_and(|word| word.is_new);
-    begins_with_verb && !words.has_way() && words.at(Class::From).is_some_and(|from| words.from(from).has_name())
-}
-
-/// The words without the cues for a negation, if there are some.
-fn without_negation(words: Words<'_>) -> Option<(Words<'_>, f32)> {
-    without(words, if is_all_out(words) { &[Class::Out, Class::All] } else { &NEGATING })
-}
-
-/// Whether a known cue tells that words forbid.
-pub(super) fn has_negation(words: Words<'_>) -> bool {
-    without_negation(words).is_some()
+    (rest.len() < words.len() && !rest.is_empty()).then_some((rest, probability))
 }
 
 /// The words read as a negated command, if there is a cue for one, or a new word that may be one.
 pub(super) fn negated(words: Words<'_>) -> Option<WithoutCues<'_>> {
-    let not = words.at(Class::Negation);
+    let is_not = words.has(Class::Negation);
     // "All chairs out of the blue room into the red room" states a goal.
-    if not.is_none() && has_place_of_all(words) {
+    if !is_not && !of_one_place(words).1.is_empty() {
         return None;
     }
-    // "All chairs out of the red room".
-    let unnamed = if is_all_out(words) { UNNAMED } else { 1.0 };
-    let with_cue = without_negation(words);
+    let with_cue = without(words, &NEGATING);
     // "The red room is off limits": any word that no lesson had may forbid.
     let (rest, probability) = with_cue.or_else(|| words.any(&Heard::is_new_word).then_some((words, UNCUED)))?;
-    let (is_out, is_not) = (is_out(words), not.is_some());
-    // "Leave" implies a present place, and needs no other act word.
-    let view = View { done: if is_out { CHANGE } else { EITHER }, has_act: is_out };
-    // "Leave the chair in the red room" says that it stays; "right away go into the red room" asks for the room. The "to" of "has to come
-    // out" is another one.
-    let stays = is_out && rest.iter().zip(rest.iter().skip(1)).any(|(way, word)| way.is_toward && !word.may_act());
-    let is_there = stays && rest.any(&Heard::acts);
-    // In "go to the red room ... no", nothing that could be negated follows.
-    let denies = is_out || words.has(Class::You) || not.is_none_or(|not| words.from(not).has_name());
-    // "Don't move the bag, it has to stay here" says the same thing twice.
-    let is_twice = is_not && stays_by_name(words) && !denies_stay(words);
-    let is_other = asks_instead(words) || is_half_negated(words) || is_not_but(words) || words.has(Class::If);
-    let needs_no_act = is_out || words.has(Class::But) || begins_with_way(rest) || rest.any(&Heard::may_act);
+    let is_out = words.has(Class::Out);
     Some(WithoutCues {
         words: rest,
         except: Words::NONE,
         from: Words::NONE,
-        prior: NEGATED * (probability * unnamed) / learned(words, &|word| word.is_any(&NEGATING)),
-        view,
-        is_clear: with_cue.is_some() && denies && !is_there && !is_twice && !is_other,
-        needs_no_act,
-        things_need_no_act: needs_no_act && (is_not || words.has(Class::From)),
-        stays,
+        prior: NEGATED * probability / learned(words, &|word| word.is_any(&NEGATING)),
+        // "Leave" implies a present place, and needs no other act word.
+        view: View { done: if is_out { CHANGE } else { EITHER }, has_act: is_out },
+        is_clear: with_cue.is_some(),
         is_double: is_not && is_out,
     })
 }
 
-/// Whether words with a negation ask for something: "why don't you go", "don't you like it?". "You are not allowed" forbids, and "you don't
-/// have to" does not. "Anywhere" is no question word: "n'importe où".
-fn asks_instead(words: Words<'_>) -> bool {
-    let last = words.last(&|word| word.is(Class::Negation)).unwrap_or(0);
-    let asked = if words.begins_with(Class::You) { words.from(last) } else { words };
-    let not = words.at(Class::Negation);
-    let asks_you = words.is_asked && not.is_some_and(|not| words.after(not).begins_with(Class::You));
-    !words.has(Class::But) && (is_question(asked) || asks_you)
-}
-
-/// Whether a word negates only with another one: "ne va que dans la salle rouge".
-fn is_half_negated(words: Words<'_>) -> bool {
-    words.has(Class::Negation) && !words.any(&|word| word.is_new || word.is(Class::Negation) && !word.is(Class::Or))
-}
-
-/// Whether two negations ask for the place: "do not go anywhere but to the red room". "Anywhere but not there" negates once.
-fn is_not_but(words: Words<'_>) -> bool {
-    words.at(Class::But).zip(words.at(Class::Negation)).is_some_and(|(but, not)| not < but)
-}
-
-/// Whether a word such as "stay" is negated: "the basket can't stay in the green room".
-fn denies_stay(words: Words<'_>) -> bool {
-    let not = words.at(Class::Negation).unwrap_or(usize::MAX);
-    let is_near = |word: &&Heard| word.is_any(&[Class::Negation, Class::Polite, Class::Here]);
-    words.from(not).iter().take_while(is_near).any(|word| word.is(Class::Here))
-}
-
-/// Whether all things of a kind are to leave a place.
-fn is_all_out(words: Words<'_>) -> bool {
-    words.has(Class::Out) && words.has(Class::All) && !words.has(Class::Negation) && !words.has(Class::But) && !has_place_of_all(words)
-}
-
-/// Whether several things may be meant that must leave a place: "the chairs".
-pub(super) fn is_of_several(words: Words<'_>) -> bool {
-    is_all_out(words) || words.any(&|word| word.is_plural)
-}
-
 /// The words read as a command about all things of a kind, if there is a cue for that: "all chairs", "the chairs".
 pub(super) fn all(words: Words<'_>) -> Option<WithoutCues<'_>> {
-    if is_all_out(words) {
-        return None;
-    }
-    let exception = exception(words);
-    let (words, except) = exception.unwrap_or((words, Words::NONE));
-    let (words, from) = place_of_all(words, first_of_all(words));
-    let excepts = |word: &Heard| is_but(word) || word.is_any(&[Class::Negation, Class::Out]) && !word.is(Class::All);
-    let has_other_exception = words.any(&excepts) || exception.is_some() && !except.has_name();
-    let (rest, prior, is_clear) = if let Some((rest, probability)) = without(words, &[Class::All]) {
-        let behind = words.at(Class::All).map_or(Words::NONE, |all| words.after(all));
-        (rest, UNNAMED * probability, !behind.iter().take(NAME_OF_ALL).take_while(|word| !word.is_name).any(|word| word.is_new))
+    let (words, from) = of_one_place(words);
+    let (rest, prior, means_all) = if let Some((rest, probability)) = without(words, &[Class::All]) {
+        (rest, UNNAMED * probability, true)
     } else {
         let plural = words.position(&|word| word.is_plural)?;
         (words, PLURAL, has_one_article(words.before(plural)))
     };
+    // "But", "not" and "out" make exceptions.
+    let excepts = words.any(&|word| word.is_any(&NEGATING) && !word.is(Class::All));
     Some(WithoutCues {
         words: rest,
-        except,
+        except: Words::NONE,
         from,
         prior: ALL * prior,
         view: View { done: EITHER, ..View::PLAIN },
-        is_clear: is_clear && !has_other_exception,
-        needs_no_act: false,
-        things_need_no_act: false,
-        stays: false,
+        is_clear: means_all && !excepts,
         is_double: false,
     })
 }
 
-/// What tells that a command is about all things, if no known cue does: "the whole lot", "bar the bag", "empty the red room".
+/// What tells that a command is about all things, or about which of them, beside the known cues: "the whole lot", "bar the bag", "empty the red room".
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Gathering {
     /// The words: all things that fit are meant.
@@ -245,9 +150,6 @@ impl Gathering {
             prior: GATHERED,
             view: View { done: EITHER, ..View::PLAIN },
             is_clear: false,
-            needs_no_act: false,
-            things_need_no_act: false,
-            stays: false,
             is_double: false,
         }
     }
@@ -284,7 +186,7 @@ pub(super) fn gatherings(words: Words<'_>) -> Vec<(Gathering, Name), GATHERINGS>
     }
     let cued = all(words);
     // What known cues tell needs no other words.
-    if cued.is_some_and(|all| !(all.except.is_empty() && all.from.is_empty())) {
+    if cued.is_some_and(|all| !all.from.is_empty()) {
         return gatherings;
     }
     if cued.is_none() {
@@ -298,26 +200,9 @@ pub(super) fn gatherings(words: Words<'_>) -> Vec<(Gathering, Name), GATHERINGS>
     gatherings
 }
 
-fn is_but(word: &Heard) -> bool {
-    word.is(Class::But) && !word.is(Class::All)
-}
-
-/// The words without an exception, and those that name it: "everything but the red bag to the blue room".
-fn exception(words: Words<'_>) -> Option<(Words<'_>, Words<'_>)> {
-    let but = words.position(&is_but)?;
-    let behind = words.from(but);
-    let end = behind.position(&|word| word.is_toward || word.is_of_task).unwrap_or(usize::MAX);
-    Some((words.before(but).with(behind.from(end)), behind.part(1, end)))
-}
-
-/// The position of the word for all things.
-fn first_of_all(words: Words<'_>) -> usize {
-    words.position(&|word| word.is(Class::All) || word.is_plural).unwrap_or(usize::MAX)
-}
-
-/// Whether the present place of all things is told.
-fn has_place_of_all(words: Words<'_>) -> bool {
-    !place_of_all(words, first_of_all(words)).1.is_empty()
+/// Splits the words for the present place of all things from the others.
+fn of_one_place(words: Words<'_>) -> (Words<'_>, Words<'_>) {
+    place_of_all(words, words.position(&|word| word.is(Class::All) || word.is_plural).unwrap_or(usize::MAX))
 }
 
 /// Whether a plural after these words means all things: "take the". "Take one of the", "take two" and "take any" mean some.
@@ -350,7 +235,6 @@ mod tests {
             ("en", "never go to the red room", "go to the red room"),
             ("en", "don't take the purple bag to the red room", "take the purple bag to the red room"),
             ("en", "get out of the red room", "get the red room"),
-            ("en", "clear the purple chairs from the red room", "clear the purple chairs the red room"),
             ("en", "go to the red room", ""),
             ("de", "geh nicht ins rote Zimmer", "geh ins rote zimmer"),
             ("de", "raus aus dem roten Zimmer", "dem roten zimmer"),
@@ -368,40 +252,19 @@ mod tests {
     }
 
     #[test]
-    fn a_prohibition_is_clear_only_if_it_asks_for_nothing_else() {
+    fn a_command_for_all_things_is_read_without_all() {
         let rows = [
-            ("en", "don't go to the red room", true),
-            ("en", "why don't you go to the red room", false),
-            ("en", "go to the red room ... no", false),
-            ("en", "do not go anywhere but to the red room", false),
-            ("en", "don't move the purple bag, it has to stay here", false),
-            ("en", "you are not allowed to go to the red room", true),
-            ("de", "geh nicht ins rote Zimmer", true),
-            ("fr", "ne va que dans la salle rouge", false),
-            ("es", "no entres en la sala roja", true),
+            ("en", "take all chairs to the red room", "take chairs to the red room"),
+            ("en", "take the chairs to the red room", "take the chairs to the red room"),
+            ("en", "take everything but the purple bag to the red room", "take but the purple bag to the red room"),
+            ("en", "take the purple chair to the red room", ""),
+            ("de", "bring alle Stühle ins rote Zimmer", "bring stühle ins rote zimmer"),
+            ("fr", "apporte toutes les chaises dans la salle rouge", "apporte les chaises dans la salle rouge"),
+            ("es", "lleva todas las sillas a la sala roja", "lleva las sillas a la sala roja"),
+            ("zh", "把所有的椅子拿到红色房间", "把 椅子 拿 到 红 色 房 间"),
         ];
-        for_each(&rows, &|sentence, words, clear| {
-            assert_eq!(negated(words).is_some_and(|reading| reading.is_clear), *clear, "{sentence}");
-        });
-    }
-
-    #[test]
-    fn a_command_for_all_things_is_read_without_all_with_exceptions_and_present_place() {
-        let rows = [
-            ("en", "take all chairs to the red room", ["take chairs to the red room", "", ""]),
-            ("en", "take the chairs to the red room", ["take the chairs to the red room", "", ""]),
-            ("en", "take everything but the purple bag to the red room", ["take to the red room", "the purple bag", ""]),
-            ("en", "take all chairs from the blue room to the red room", ["take chairs to the red room", "", "the blue room"]),
-            ("en", "take the purple chair to the red room", ["", "", ""]),
-            ("de", "bring alle Stühle ins rote Zimmer", ["bring stühle ins rote zimmer", "", ""]),
-            ("fr", "apporte toutes les chaises dans la salle rouge", ["apporte les chaises dans la salle rouge", "", ""]),
-            ("es", "lleva todas las sillas a la sala roja", ["lleva las sillas a la sala roja", "", ""]),
-            ("zh", "把所有的椅子拿到红色房间", ["把 椅子 拿 到 红 色 房 间", "", ""]),
-        ];
-        for_each(&rows, &|sentence, words, parts| {
-            let read =
-                all(words).map_or([(); 3].map(|()| String::new()), |it| [it.words, it.except, it.from].map(|part| left(sentence, part)));
-            assert_eq!(read, *parts, "{sentence}");
+        for_each(&rows, &|sentence, words, rest| {
+            assert_eq!(all(words).map_or(String::new(), |all| left(sentence, all.words)), *rest, "{sentence}");
         });
     }
 

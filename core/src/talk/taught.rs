@@ -99,7 +99,7 @@ impl Taught {
         Self { agent, home, start }
     }
 
-    /// Passes the words of a sentence to a test, as the rules get them.
+    /// Passes the words of a sentence to a test, as they are heard.
     fn hear(&mut self, sentence: &str, test: &mut dyn FnMut(Words<'_>)) {
         let Self { agent, home, start } = self;
         agent.open(home, start, sentence, DONE, false).unwrap();

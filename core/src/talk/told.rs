@@ -6,7 +6,6 @@
 use super::context::{Context, ToldTasks, View};
 use super::explained::Explained;
 use super::heard::Heard;
-use super::reworded::OF_SENTENCES;
 use super::wording::Wording;
 use super::words::Words;
 use crate::memory::AgentMemory;
@@ -17,6 +16,24 @@ use crate::voice::classes::Class;
 
 /// The number of words of "to the".
 const ARTICLE: usize = 2;
+
+/// Words of these classes belong to no name.
+const OF_SENTENCES: [Class; 14] = [
+    Class::Negation,
+    Class::Out,
+    Class::But,
+    Class::All,
+    Class::Connective,
+    Class::Or,
+    Class::Pronoun,
+    Class::Stop,
+    Class::No,
+    Class::Blame,
+    Class::Again,
+    Class::If,
+    Class::Speaker,
+    Class::Meant,
+];
 
 /// A command, and the words that tell its place by a thing, or its thing by a place.
 struct Apart<'w> {
@@ -104,7 +121,7 @@ fn present_place(words: Words<'_>, named: usize) -> Option<(usize, Words<'_>, Wo
     from.any(&|word| word.is_name && word.is_open()).then(|| (begin, from, words.from(goal)))
 }
 
-/// Whether two places share a noun. "All of the chairs" names no place, although "the" occurs in both parts.
+/// Whether two places share a noun, such as "room". The article of the goal does not count.
 fn share_noun(from: Words<'_>, goal: Words<'_>) -> bool {
     let goal = goal.from(ARTICLE);
     from.any(&|word| word.is_open() && !word.is_name && goal.any(&|other| other.said.symbol == word.said.symbol))
@@ -118,12 +135,12 @@ impl<M: AgentMemory> Agent<M> {
         &mut self,
         domain: &D,
         words: &mut Words<'_>,
-        wording: &Wording<'_>,
+        context: Context<'_>,
         explained: &mut Explained,
     ) -> Result<Option<ToldTasks>, AgentError> {
         let Some(Apart { words: rest, by, is_place }) = apart(*words) else { return Ok(None) };
-        let Some(tasks) = self.told_by(domain, by, is_place, wording, explained)? else {
-            self.explain_all(domain, *words, View::PLAIN, Context::of(wording), explained)?;
+        let Some(tasks) = self.told_by(domain, by, is_place, context.wording, explained)? else {
+            self.explain_all(domain, *words, View::PLAIN, context, explained)?;
             return Ok(None);
         };
         *words = rest;

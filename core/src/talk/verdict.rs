@@ -6,7 +6,7 @@ use super::conversation::Before;
 use super::explained::Explained;
 use super::heard::Heard;
 use super::hypothesis::{Hypothesis, Judged, likeliest};
-use super::readings::{GATHERED, GATHERINGS, Gathering, Name, WithoutCues, all, gatherings, has_negation, is_of_several, negated};
+use super::readings::{GATHERED, GATHERINGS, Gathering, Name, WithoutCues, all, gatherings, negated};
 use super::recalled::of_last;
 use super::repair::{Shape, WEIGHED};
 use super::several::Parting;
@@ -35,11 +35,10 @@ impl Doubts {
     /// No doubts.
     pub const NONE: Self = Self(0);
     /// The names of all doubts.
-    const NAMES: [&'static str; 10] = [
+    const NAMES: [&'static str; 9] = [
         "a thing outside the task",
         "a new name",
         "other cues",
-        "no act",
         "not possible",
         "not fitting",
         "no tasks",
@@ -72,7 +71,6 @@ enum Doubt {
     Foreign,
     NewName,
     Cues,
-    NoAct,
     Impossible,
     Unfitting,
     NoTasks,
@@ -156,46 +154,31 @@ pub enum Verdict {
 }
 
 impl<M: AgentMemory> Agent<M> {
-    /// Decides on words, and on the tasks that they mean: the reading that was most probably meant. `said` are the words before they were
-    /// made simpler. Leaves the explanation of the reading's words in `explained`.
+    /// Decides on words, and on the tasks that they mean: the reading that was most probably meant. `explained` has the words as a command;
+    /// then it has the reading's.
     #[inline(never)]
     pub(super) fn judge<'w, D: Domain>(
         &mut self,
         domain: &D,
-        (words, said, sorts): (Words<'w>, Words<'w>, &Sorts<'_>),
+        words: Words<'w>,
+        sorts: &Sorts<'_>,
         explained: &mut Explained,
         context: Context<'_>,
     ) -> Result<Judged<'w>, AgentError> {
         // The rest of a rest is shorter, so that an utterance that is heard part by part comes to an end.
-        let is_shorter = |parting: &Parting<'_>| said.get(parting.begin).is_some_and(|word| word.piece > 0);
-        let parting = self.part(domain, said, context)?.filter(|parting| !context.earlier.is_rest || is_shorter(parting));
-        self.judge_parted(domain, (words, said, sorts), explained, context, parting)
-    }
-
-    /// Decides among the hypotheses. `explained` has the words as a command.
-    fn judge_parted<'w, D: Domain>(
-        &mut self,
-        domain: &D,
-        (words, said, sorts): (Words<'w>, Words<'w>, &Sorts<'_>),
-        explained: &mut Explained,
-        context: Context<'_>,
-        parting: Option<Parting<'w>>,
-    ) -> Result<Judged<'w>, AgentError> {
+        let is_shorter = |parting: &Parting<'_>| words.get(parting.begin).is_some_and(|word| word.piece > 0);
+        let parting = self.part(domain, words, context)?.filter(|parting| !context.earlier.is_rest || is_shorter(parting));
         let (weighed, command, whole) = self.hypotheses(domain, words, explained, context, parting)?;
         let (likeliest, most) = likeliest(&weighed, words, context.is_known());
-        let words_of = |hypothesis| if hypothesis == Hypothesis::Several { said } else { words };
-        let plain = |hypothesis, share| {
-            let words = words_of(hypothesis);
-            Candidate {
-                hypothesis,
-                words,
-                share,
-                is_turned: false,
-                choice: Choice::Likeliest,
-                gathering: None,
-                repair: None,
-                is_explained: false,
-            }
+        let plain = |hypothesis, share| Candidate {
+            hypothesis,
+            words,
+            share,
+            is_turned: false,
+            choice: Choice::Likeliest,
+            gathering: None,
+            repair: None,
+            is_explained: false,
         };
         // What is asked for again was understood before; and where a new word may mean "not", nothing is weighed.
         if matches!(likeliest, Hypothesis::Talk(Class::Again) | Hypothesis::Reversed) {
@@ -207,10 +190,10 @@ impl<M: AgentMemory> Agent<M> {
                 return Ok(Judged { is_accepted, ..judged });
             }
         }
-        let repairs = self.repairs(domain, said, explained, context)?;
-        let turned = parting.and_then(|parting| parting.turned(said, context.earlier.is_rest));
+        let repairs = self.repairs(domain, words, explained, context)?;
+        let turned = parting.and_then(|parting| parting.turned(words, context.earlier.is_rest));
         let parting_of = |candidate: Candidate<'w>| if candidate.is_turned { turned } else { parting };
-        let gatherings = gatherings(said);
+        let gatherings = gatherings(words);
         let mut candidates: Vec<Candidate<'w>, MEANINGS> = Vec::new();
         let mut weigh = |candidate: Candidate<'w>| {
             let choices: &[Choice] = match candidate.hypothesis {
@@ -230,7 +213,7 @@ impl<M: AgentMemory> Agent<M> {
         }
         for &gathering in &gatherings {
             // Its share is known when its words are explained.
-            weigh(Candidate { words: said, gathering: Some(gathering), ..plain(Hypothesis::All, 1.0) });
+            weigh(Candidate { gathering: Some(gathering), ..plain(Hypothesis::All, 1.0) });
         }
         if let Some(turned) = turned {
             weigh(Candidate { is_turned: true, ..plain(Hypothesis::Several, turned.weight.over(whole.plus(turned.weight))) });
@@ -249,12 +232,12 @@ impl<M: AgentMemory> Agent<M> {
             let rival = others.fold((Hypothesis::Nothing, 0.0), |most, &(other, share)| if share > most.1 { (other, share) } else { most });
             let between = match (repair, parting, gathering) {
                 (Some(repair), ..) => Some((repair.between, repair.shape.sign())),
-                (_, Some(parting), _) => Some((parting.between(said), if is_turned { TURNING } else { BETWEEN })),
-                (.., Some((gathering, _))) => Some((said.only(|word| !word.is_name), gathering.sign())),
+                (_, Some(parting), _) => Some((parting.between(words), if is_turned { TURNING } else { BETWEEN })),
+                (.., Some((gathering, _))) => Some((words.only(|word| !word.is_name), gathering.sign())),
                 _ if candidate.choice == Choice::OtherKind => Some((words.only(|word| !word.is_name), OTHER)),
                 _ => None,
             };
-            let is_near = |word: &Heard| gathering.is_none_or(|(_, name)| name.is_near(said, word));
+            let is_near = |word: &Heard| gathering.is_none_or(|(_, name)| name.is_near(words, word));
             let between = between.map(|(words, sign)| sorts.between(words, &is_near, sign));
             // New words forbid, mean all things, or change what was done only if people were heard to say so with them: a young robot takes its
             // first words for commands.
@@ -262,7 +245,7 @@ impl<M: AgentMemory> Agent<M> {
             let is_heard = match gathering {
                 Some(_) => between.is_some_and(|words| words.asks()),
                 None if changes => between.is_some_and(|words| words.repairs()),
-                None => hypothesis != Hypothesis::Negated || has_negation(words) || sorts.forbids(),
+                None => hypothesis != Hypothesis::Negated || sorts.forbids() || negated(words).is_some_and(|it| it.is_clear),
             };
             let observe = context.wording.observe;
             if !is_heard && observe.is_none() {
@@ -464,20 +447,13 @@ impl<M: AgentMemory> Agent<M> {
         let Judged { words, probability, .. } = likeliest;
         let Some(rest) = negated(words) else { return Ok(None) };
         self.explain_all(domain, rest.words, rest.view, context, explained)?;
-        // "Both chairs out of the red room".
-        let is_of_several = is_of_several(words) && choice == Choice::Likeliest;
+        // "The chairs out of the red room".
+        let is_of_several = choice == Choice::Likeliest && words.any(&|word| word.is_plural || word.is(Class::All));
         let all = if is_of_several { self.all_that_fit(domain, explained) } else { (TaskSet::EMPTY, 0.0) };
         let Some((task, of_task)) = explained.chosen(self.among(choice, explained)) else { return Ok(Some(likeliest)) };
-        let is_of_thing = self.place_of_thing(domain, task).is_some();
         // "Don't leave the red room" asks for a goal that holds, "don't leave the bag in the red room" does not.
+        let is_of_thing = self.place_of_thing(domain, task).is_some();
         let holds = rest.is_double && !(is_of_thing && words.any(&|word| word.leaves));
-        // "The red chair must not end up in the blue room", "I don't want you in the red room".
-        let is_whole = explained.whole.contains(task) || self.is_only_one(domain, explained, task);
-        let has_act = explained.acts || context.earlier.is_rest;
-        let is_told = match is_of_thing {
-            true => rest.things_need_no_act || !rest.stays && (has_act || is_whole),
-            false => rest.needs_no_act || has_act || is_whole && words.has(Class::You),
-        };
         // A task of two facts has no opposite.
         let has_opposite =
             self.lifted.get(usize::from(self.task(task).lifted)).is_some_and(|lifted| self.task(task).negated(lifted).is_some());
@@ -492,7 +468,6 @@ impl<M: AgentMemory> Agent<M> {
             is_negated: !holds,
             doubts: Doubts::of(&[
                 (Doubt::Cues, !rest.is_clear),
-                (Doubt::NoAct, !is_told),
                 (Doubt::Impossible, !is_possible),
                 (Doubt::Unfitting, !explained.fitting.contains(task)),
                 (Doubt::Outweighed, choice == Choice::AllNamed),

@@ -9,8 +9,6 @@ use crate::voice::classes::Class;
 pub(super) struct Words<'w> {
     all: &'w [Heard],
     kept: u64,
-    /// The word that comes first; the words before it come last.
-    first: usize,
     /// Whether a question mark ends them.
     pub is_asked: bool,
 }
@@ -19,14 +17,14 @@ const _: () = assert!(WORDS_PER_COMMAND <= u64::BITS as usize);
 
 impl<'w> Words<'w> {
     /// No words.
-    pub const NONE: Self = Self { all: &[], kept: 0, first: 0, is_asked: false };
+    pub const NONE: Self = Self { all: &[], kept: 0, is_asked: false };
 
     pub const fn new(all: &'w [Heard], is_asked: bool) -> Self {
-        Self { all, kept: u64::MAX, first: 0, is_asked }
+        Self { all, kept: u64::MAX, is_asked }
     }
 
     pub const fn iter(self) -> Iter<'w> {
-        Iter { words: self, passed: 0, at: 0 }
+        Iter { words: self, passed: 0 }
     }
 
     pub fn len(self) -> usize {
@@ -58,19 +56,9 @@ impl<'w> Words<'w> {
         self.position(is_wanted).is_some()
     }
 
-    /// The position of the first word of a class.
-    pub fn at(self, class: Class) -> Option<usize> {
-        self.position(&|word| word.is(class))
-    }
-
     /// Whether a word is of a class.
     pub fn has(self, class: Class) -> bool {
-        self.at(class).is_some()
-    }
-
-    /// Whether the first word is of a class.
-    pub fn begins_with(self, class: Class) -> bool {
-        self.get(0).is_some_and(|word| word.is(class))
+        self.any(&|word| word.is(class))
     }
 
     /// Whether a word names a value.
@@ -95,18 +83,11 @@ impl<'w> Words<'w> {
 
     #[inline(never)]
     fn keep(self, is_wanted: &mut dyn FnMut(&Heard) -> bool) -> Self {
-        let (mut words, mut kept) = (self.iter(), 0);
-        while let Some(word) = words.next() {
-            kept |= u64::from(is_wanted(word)) << words.at;
+        let mut kept = 0;
+        for (at, word) in self.all.iter().enumerate().filter(|&(at, _)| self.kept >> at & 1 == 1) {
+            kept |= u64::from(is_wanted(word)) << at;
         }
         Self { kept, ..self }
-    }
-
-    /// The same words, with those before a position moved to the end.
-    pub fn turned(self, position: usize) -> Self {
-        let mut words = self.iter();
-        let _ = words.nth(position);
-        Self { first: words.at, ..self }
     }
 
     /// These words and those of another part of the same utterance.
@@ -157,11 +138,6 @@ impl<'w> Words<'w> {
     pub fn of_phrase(self, phrase: u8) -> Self {
         self.only(|word| word.phrase == phrase)
     }
-
-    /// These words, if some of `all` are missing.
-    pub fn if_fewer(self, all: Self) -> Option<Self> {
-        (self.len() < all.len()).then_some(self)
-    }
 }
 
 /// The divisor of a reading's prior: 1 plus the largest count of its cues in lessons. Words that commands have are weak cues.
@@ -175,8 +151,6 @@ pub(super) struct Iter<'w> {
     words: Words<'w>,
     /// The number of words of the utterance passed, kept or not.
     passed: usize,
-    /// The position of the last word in the utterance.
-    at: usize,
 }
 
 impl<'w> Iterator for Iter<'w> {
@@ -184,13 +158,12 @@ impl<'w> Iterator for Iter<'w> {
 
     #[inline(never)]
     fn next(&mut self) -> Option<&'w Heard> {
-        let Words { all, kept, first, .. } = self.words;
-        while self.passed < all.len() {
-            let at = first.saturating_add(self.passed);
-            self.at = if at < all.len() { at } else { at.saturating_sub(all.len()) };
-            self.passed = self.passed.saturating_add(1);
-            if kept >> self.at & 1 == 1 {
-                return all.get(self.at);
+        let Words { all, kept, .. } = self.words;
+        while let Some(word) = all.get(self.passed) {
+            let at = self.passed;
+            self.passed = at.saturating_add(1);
+            if kept >> at & 1 == 1 {
+                return Some(word);
             }
         }
         None

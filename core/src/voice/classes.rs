@@ -32,7 +32,7 @@ macro_rules! classes {
 classes! {
     /// "not", "never", "except".
     Negation = "negation",
-    /// "leave", "out", "away". A word that is polite as well, such as "away", is of this class only before "from".
+    /// "leave", "out", "away".
     Out = "out",
     /// "of", "from": after a word such as "out".
     From = "from",
@@ -52,7 +52,7 @@ classes! {
     Again = "again",
     /// "and", "then".
     Connective = "connective",
-    /// "or", "any": lets the robot choose. A negation of this class as well, such as French "ne", negates only with another one.
+    /// "or", "any": lets the robot choose.
     Or = "or",
     /// "all", "both", "everything".
     All = "all",
@@ -76,11 +76,11 @@ classes! {
     Same = "same",
     /// "undo".
     Undo = "undo",
-    /// "I", "she", "my": the words after it describe somebody's action, and ask for nothing.
+    /// "I", "she", "my": somebody else than the one addressed.
     Speaker = "speaker",
-    /// "you": the one addressed, so that "I want you to go" asks for something.
+    /// "you": the one addressed.
     You = "you",
-    /// "if". A connective that is of this class as well, such as "before", introduces the command that is done last.
+    /// "if", "tomorrow": what follows depends on something.
     If = "if",
     /// "to", "into", "towards": a direction, named by the words after it. Commands contain such words too.
     Toward = "toward",
@@ -90,10 +90,8 @@ classes! {
     Wish = "wish",
     /// "meant": the speaker corrects the robot.
     Meant = "meant",
-    /// "aller": an act word, and no slip for a word of another class, whatever its spelling. If it is of the class `out` as well, such as
-    /// "leave", it leaves a thing in the named place. If it is of the class `if` as well, such as "forget", and negated, it asks for the
-    /// action after it. If it is of the class `asking` as well, such as "have", it puts an act into the past. If it is of the class `polite`
-    /// as well, such as "first", its command comes first.
+    /// "aller": an act word, and no slip for a word of another class, whatever its spelling. If it is of the class `if` as well, such as
+    /// "forget", it takes back what was said before. If it is of the class `asking` as well, such as "have", it puts an act into the past.
     Act = "act",
     /// "here", "stay": the goal holds already, and its place needs no name.
     Here = "here",
@@ -138,11 +136,6 @@ impl Classes {
     /// Whether it tells a place by a thing there, such as "where" and "beside".
     pub const fn is_beside(self) -> bool {
         self.contains(Class::There) && self.contains(Class::Here)
-    }
-
-    /// Whether it introduces the command that is done last, such as "before".
-    pub const fn is_before(self) -> bool {
-        self.contains(Class::Connective) && self.contains(Class::If)
     }
 
     /// One class alone.
