@@ -90,8 +90,9 @@ classes! {
     Wish = "wish",
     /// "meant": the speaker corrects the robot.
     Meant = "meant",
-    /// "aller": an act word, and no slip for a word of another class, whatever its spelling. If it is of the class `if` as well, such as
-    /// "forget", it takes back what was said before. If it is of the class `asking` as well, such as "have", it puts an act into the past.
+    /// "aller": an act word, and no slip for a word of another class, whatever its spelling. If it is of the class `out` as well, such as
+    /// "leave", it leaves a thing in the named place. If it is of the class `if` as well, such as "forget", it takes back what was said
+    /// before. If it is of the class `asking` as well, such as "have", it puts an act into the past.
     Act = "act",
     /// "here", "stay": the goal holds already, and its place needs no name.
     Here = "here",
