@@ -29,10 +29,14 @@ async function press(page, answers, tour) {
     button.scrollIntoView({ block: 'center', behavior: 'instant' });
     const { x, y, width, height } = button.getBoundingClientRect();
     if (!button.contains(document.elementFromPoint(x + width / 2, y + height / 2))) return null;
+    const shown = [button.innerText || button.id, document.body.innerText];
     button.click();
-    return [button.innerText || button.id];
+    return shown;
   }, /** @type {const} */ ([answers, tour]));
-  return (await pressed.jsonValue())[0];
+  const [words, before] = await pressed.jsonValue();
+  // Each press in the tour changes what is seen.
+  if (tour && words) await page.waitForFunction(text => document.body.innerText !== text, before);
+  return words;
 }
 
 for (const first of [true, false]) for (const [who, answer] of Object.entries(ANSWERS)) {
